@@ -100,12 +100,13 @@ struct Space {
   /// [m] How far a point is from one of its borders, inward.
   double depth(std::size_t i, const Eigen::Vector3d& p) const { return side(i) * slabs[i].height(p) - slabs[i].thickness; }
 
-  /// Whether it is empty; if not, `point` receives a point of it, unless none is found. The least of the depths is at most any mean of
-  /// them, whose maximum over the ball is known. Where that is, is the candidate; the border that it is furthest beyond gets more weight
-  /// (Frank and Wolfe).
+  /// Whether it is empty; if not, `point` receives a point of it, unless none is found. By fictitious play: the least depth of a point is
+  /// at most any mean of the depths, whose maximum over the ball is known. The mean of where these maxima are is the candidate, and the
+  /// border that it is least deep inside gets more weight.
   bool isEmpty(std::optional<Eigen::Vector3d>& point) const {
     std::array<double, kMostPlanes> weight{};
     std::fill_n(weight.begin(), slabs.size(), 1.0 / static_cast<double>(slabs.size()));
+    Eigen::Vector3d candidate = centre;
     for (int round = 0; round < kRounds; ++round) {
       Eigen::Vector3d along = Eigen::Vector3d::Zero();
       double at_centre = 0;
@@ -114,7 +115,8 @@ struct Space {
         at_centre += weight[i] * depth(i, centre);
       }
       if (at_centre + radius * along.norm() <= 0) return true;
-      const Eigen::Vector3d candidate = centre + radius * along.normalized();
+      const double step = 1.0 / (round + 1);
+      candidate += step * (centre + radius * along.normalized() - candidate);
       std::size_t least = 0;
       for (std::size_t i = 1; i < slabs.size(); ++i)
         if (depth(i, candidate) < depth(least, candidate)) least = i;
@@ -122,7 +124,6 @@ struct Space {
         point = candidate;
         return false;
       }
-      const double step = 2.0 / (round + 3);
       for (double& w : weight) w *= 1 - step;
       weight[least] += step;
     }
@@ -130,17 +131,13 @@ struct Space {
   }
 };
 
-/// Whether the outside is what lies in front of all planes of `some` (a bit each), while all else is inside, none of the surfaces reaches
-/// there, and a common direction leads away from these planes. `outside`, `inside`: a bit per space.
-bool isInFront(const std::vector<Slab>& slabs, unsigned some, unsigned outside, unsigned inside, const InBall& walls,
-               const InBall& surface) {
+/// Whether the outside is what lies in front of all planes of `some` (a bit each), none of the surfaces reaches there, and a common
+/// direction leads away from these planes. No space in front is inside then, as nothing divides them. `outside`: a bit per space.
+bool isInFront(const std::vector<Slab>& slabs, unsigned some, unsigned outside, const InBall& walls, const InBall& surface) {
   unsigned front = 0;  // a bit per plane: on which side of it the first space outside is
   while ((outside >> front & 1U) == 0) ++front;
-  for (unsigned space = 0; space < 1U << slabs.size(); ++space) {
-    const bool in_front = ((space ^ front) & some) == 0;
-    if ((outside >> space & 1U) != 0 && !in_front) return false;
-    if ((inside >> space & 1U) != 0 && in_front) return false;
-  }
+  for (unsigned space = 0; space < 1U << slabs.size(); ++space)
+    if ((outside >> space & 1U) != 0 && ((space ^ front) & some) != 0) return false;
   const auto side = [&](std::size_t i) { return (front >> i & 1U) != 0 ? 1.0 : -1.0; };
   const auto isOfThem = [&](std::size_t i) { return (some >> i & 1U) != 0; };
   Eigen::Vector3d away = Eigen::Vector3d::Zero();
@@ -209,7 +206,7 @@ AmongFlatWalls amongFlatWalls(const TriangleBvh& closed, const TriangleBvh& surf
   if (all.isTooMuch()) return {};
   for (const std::size_t count : {1, 2, 3})
     for (unsigned some = 1; some < spaces; ++some)
-      if (std::bitset<kMostPlanes>(some).count() == count && isInFront(*slabs, some, outside, inside, walls, all))
+      if (std::bitset<kMostPlanes>(some).count() == count && isInFront(*slabs, some, outside, walls, all))
         return {std::numeric_limits<double>::infinity(), (count == 1 ? kWayUnder : kWayAside) * thickest};
   return {};
 }

@@ -86,6 +86,13 @@ TEST(FlatWalls, ASummitUnderACeilingIsNotRuledOut) {
   EXPECT_EQ(summitAt(solid, {0, 0, 0.2}, 0.31), kUnknown);
 }
 
+// Under thin boxes, there is more of the outside.
+TEST(FlatWalls, WhatIsBehindThinBoxesIsNotOverlooked) {
+  const Solid solid = solidOf(test_shapes::merged({boxAt({-2, -2, -0.1}, {0, 2, 0}), boxAt({0, -2, -0.1}, {2, 2, 0})}));
+  EXPECT_LT(summitAt(solid, {0, 0, 0.02}, 0.02), 1e-5) << "so that the test can tell";
+  EXPECT_EQ(summitAt(solid, {0, 0, 0.05}, 0.1), kUnknown);
+}
+
 // Sheets enclose nothing, and are surface all the same.
 TEST(FlatWalls, SheetsThatStandInFrontMakeSummits) {
   const auto sheetAt = [](double x) {

@@ -216,7 +216,9 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinTheLongestWayIntoIt) {
     const Vector3d shape(random.number(0.2, 3), random.number(0.2, 3), random.number(0.2, 3));
     for (int k = 0; k < 12; ++k) planes.push_back(random.onSphere().cwiseProduct(shape));
     if (!holds(convexHull(planes), Vector3d::Zero())) continue;
-    const double e = random.number(0, 0.2);
+    double largest = 0;
+    for (const Vector3d& n : planes) largest = std::max(largest, n.norm());
+    const double e = random.number(0, 0.9) / largest;  // the planes are further than that from the middle
     const ConvexHull inner = convexHull(behind(planes, e));
     ConvexHull hull = convexHull(behind(planes, 0));
     double furthest = 0;
@@ -224,6 +226,22 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinTheLongestWayIntoIt) {
     hull.triangles.clear();
     EXPECT_GE(protrusion({hull}, solidOf(surface(inner)), 1e3).bound, furthest * (1 - 1e-9));
   }
+}
+
+// Straight away from the three faces of a vertex, a wedge gets thinner: the bottom, two deep there, is too near then.
+TEST(Protrusion, AWayIntoAWedgeThatGetsTooThin) {
+  const Vector3d c(1.5, 50, -1.3);
+  std::vector<Vector3d> planes;
+  for (const auto& [normal, offset] : std::vector<std::pair<Vector3d, double>>{
+           {{0, 0, 1}, 0}, {{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 1, 0}, 100}, {{0.5, -0.05, -1}, 2.05}})
+    planes.push_back(normal / (offset - normal.dot(c)));
+  const ConvexHull inner = convexHull(behind(planes, 1));
+  ConvexHull hull = convexHull(behind(planes, 0));
+  const Vector3d corner = -c;
+  const double way = distance(inner, corner);
+  EXPECT_GT(way, 5) << "where straight away from its faces it is the root of three";
+  hull.triangles.clear();
+  EXPECT_GE(protrusion({hull}, solidOf(surface(inner)), 1e3).bound, way);
 }
 
 // A share of the way to the middle, which is far, would be 0.4 mm.

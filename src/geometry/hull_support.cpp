@@ -92,4 +92,22 @@ double overhang(const ConvexHull& hull, const RunControl& control) {
   return radius * std::min(most, 2.0);  // no two points are further apart
 }
 
+double wayInto(const ConvexHull& hull, const Eigen::Vector3d& vertex, double depth) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto isNear = [&](const HalfSpace& face) { return -face.distance(vertex) < 2 * depth; };
+  Eigen::Vector3d inward = Eigen::Vector3d::Zero();
+  for (const HalfSpace& face : hull.faces)
+    if (isNear(face)) inward -= face.normal;
+  inward.normalize();
+  double way = 0;
+  for (const HalfSpace& face : hull.faces) {
+    if (!isNear(face)) continue;
+    const double rise = -face.normal.dot(inward);
+    if (!(rise > 0)) return kNone;
+    way = std::max(way, (depth + face.distance(vertex)) / rise);
+  }
+  const auto isDeep = [&](const HalfSpace& face) { return isNear(face) || -face.distance(vertex + way * inward) >= depth; };
+  return std::all_of(hull.faces.begin(), hull.faces.end(), isDeep) ? way : kNone;
+}
+
 }  // namespace collision_hulls

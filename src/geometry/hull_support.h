@@ -34,4 +34,8 @@ double leastWidth(const ConvexHull& hull, const RunControl& control = {});
 /// kCancelled.
 double overhang(const ConvexHull& hull, const RunControl& control = {});
 
+/// [m] How far a vertex may move, straight away from the faces near it, to be as deep as `depth` [m] below all faces; infinite if that way
+/// leads nearer to some face.
+double wayInto(const ConvexHull& hull, const Eigen::Vector3d& vertex, double depth);
+
 }  // namespace collision_hulls

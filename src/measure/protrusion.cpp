@@ -45,26 +45,6 @@ double depthBelow(const HalfSpace& face, const Eigen::Vector3d& p) {
   return -face.distance(p);
 }
 
-/// [m] How far a vertex may move, straight away from the faces near it, to be as deep as `depth` below all faces; infinite if that way
-/// leads nearer to some face.
-double wayInto(const ConvexHull& hull, const Eigen::Vector3d& v, double depth) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const auto isNear = [&](const HalfSpace& face) { return depthBelow(face, v) < 2 * depth; };
-  Eigen::Vector3d inward = Eigen::Vector3d::Zero();
-  for (const HalfSpace& face : hull.faces)
-    if (isNear(face)) inward -= face.normal;
-  inward.normalize();
-  double way = 0;
-  for (const HalfSpace& face : hull.faces) {
-    if (!isNear(face)) continue;
-    const double rise = -face.normal.dot(inward);
-    if (!(rise > 0)) return kNone;
-    way = std::max(way, (depth - depthBelow(face, v)) / rise);
-  }
-  const auto isDeep = [&](const HalfSpace& face) { return isNear(face) || depthBelow(face, v + way * inward) >= depth; };
-  return std::all_of(hull.faces.begin(), hull.faces.end(), isDeep) ? way : kNone;
-}
-
 /// [m] An upper bound on the distance to S of all points of a hull that the surface leaves free, and whose middle lies in S; infinite for
 /// other hulls, and if it is more than `most`.
 ///

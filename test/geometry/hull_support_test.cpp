@@ -129,5 +129,15 @@ TEST(Overhang, OfANeedleIsTheTipThatItsTrianglesLack) {
   EXPECT_LE(overhang(needle), 1.08 * kCut);
 }
 
+// A wedge, thinner the further from x = 0, and slowly thicker along y. Straight away from the corner at the origin, its bottom gets nearer.
+TEST(WayInto, StraightAwayFromFacesUnlessThatLeadsTooNearToOthers) {
+  const ConvexHull wedge =
+      convexHull({{0, 0, 0}, {0, 0, -2.3}, {4.6, 0, 0}, {6, 35, 0}, {0, 300, 0}, {0, 300, -8.3}, {6, 300, 0}, {6, 300, -5.3}});
+  EXPECT_NEAR(wayInto(wedge, {0, 300, 0}, 1), std::sqrt(3), 1e-9);
+  EXPECT_NEAR(wayInto(wedge, {0, 0, 0}, 0.5), std::sqrt(3) / 2, 1e-9);
+  EXPECT_EQ(wayInto(wedge, {0, 0, 0}, 1), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(wayInto(wedge, {0, 0, 0}, 3), std::numeric_limits<double>::infinity()) << "between top and bottom";
+}
+
 }  // namespace
 }  // namespace collision_hulls

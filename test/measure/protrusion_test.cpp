@@ -228,22 +228,6 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinTheLongestWayIntoIt) {
   }
 }
 
-// Straight away from the three faces of a vertex, a wedge gets thinner: the bottom, two deep there, is too near then.
-TEST(Protrusion, AWayIntoAWedgeThatGetsTooThin) {
-  const Vector3d c(1.5, 50, -1.3);
-  std::vector<Vector3d> planes;
-  for (const auto& [normal, offset] : std::vector<std::pair<Vector3d, double>>{
-           {{0, 0, 1}, 0}, {{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 1, 0}, 100}, {{0.5, -0.05, -1}, 2.05}})
-    planes.push_back(normal / (offset - normal.dot(c)));
-  const ConvexHull inner = convexHull(behind(planes, 1));
-  ConvexHull hull = convexHull(behind(planes, 0));
-  const Vector3d corner = -c;
-  const double way = distance(inner, corner);
-  EXPECT_GT(way, 5) << "where straight away from its faces it is the root of three";
-  hull.triangles.clear();
-  EXPECT_GE(protrusion({hull}, solidOf(surface(inner)), 1e3).bound, way);
-}
-
 // A share of the way to the middle, which is far, would be 0.4 mm.
 TEST(Protrusion, ALongBoardThatTheSurfaceLeavesFree) {
   const double e = 3e-6;

@@ -5,6 +5,7 @@
 #include "measure/protrusion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -71,7 +72,7 @@ double boundInFreeHull(const ConvexHull& hull, const Solid& solid, double most, 
     e = std::max(e, reach);
     if (e > most || e >= r) return kNone;
   }
-  if (e >= r || !solid.contains(c)) return kNone;
+  if (e >= r || !std::signbit(solid.signedDistance(c, solid.distanceToSurface(c)))) return kNone;  // not where the side of c is blurred
   double longest = 0;
   for (const Eigen::Vector3d& v : hull.vertices) {
     look();

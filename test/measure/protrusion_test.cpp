@@ -239,6 +239,26 @@ TEST(Protrusion, ALongBoardThatTheSurfaceLeavesFree) {
   EXPECT_LE(bound, 1.001 * std::sqrt(3) * e);
 }
 
+// The middle of a rod is outside a block, but so near to it that it seems to be inside; around both, sheets make a summit in the rod.
+TEST(Protrusion, AMiddleWithinTheBlurIsNotTakenForInside) {
+  constexpr double kSide = 0.3, kHigh = 2, kRod = 1e-3, kAway = 1e-11;
+  const auto sheetAt = [](const Vector3d& middle, const Vector3d& u, const Vector3d& v) {
+    test_shapes::MeshBuilder builder;
+    builder.quad(middle - u - v, middle + u - v, middle + u + v, middle - u + v);
+    return builder.mesh();
+  };
+  std::vector<TriangleMesh> parts{test_shapes::moved(test_shapes::box(0.01, 0.02, 0.02), {kAway, -0.01, -0.01})};
+  for (const double side : {-1.0, 1.0}) {
+    parts.push_back(sheetAt({side * kSide, 0, 0}, {0, 0.999 * kSide, 0}, {0, 0, 0.999 * kHigh}));
+    parts.push_back(sheetAt({0, side * kSide, 0}, {0.999 * kSide, 0, 0}, {0, 0, 0.999 * kHigh}));
+    parts.push_back(sheetAt({0, 0, side * kHigh}, {0.999 * kSide, 0, 0}, {0, 0.999 * kSide, 0}));
+  }
+  const Solid solid = solidOf(test_shapes::merged(parts));
+  EXPECT_NEAR(solid.distance({0, 0, 1}), kSide, 1e-12);
+  for (const double gap : {3.6e-3, 3.9e-3, 4e-3})
+    EXPECT_GE(protrusion({boxHull({-kRod, -kRod, -1.8}, {kRod, kRod, 1.8})}, solid, gap).bound, kSide) << gap;
+}
+
 // A blade through a crack meets no surface, and its middle is inside; what stands out of it is not. As below, its triangles are taken away.
 TEST(Protrusion, AHullThroughACrackIsNotLeftFree) {
   const Solid solid = solidOf(test_shapes::boxWithSlit(1e-5));

@@ -15,8 +15,9 @@ bool someFaceEachOther(const TriangleMesh& mesh, const RunControl& control);
 
 /// [m] Bounds on the distance to what is inside or surface; infinite where nothing is proved.
 struct AmongFlatWalls {
-  double any = std::numeric_limits<double>::infinity();     ///< of any point
-  double summit = std::numeric_limits<double>::infinity();  ///< of a local maximum whose distance, as a radius, leads nowhere out of the ball
+  double any = std::numeric_limits<double>::infinity();  ///< of any point
+  double summit =
+      std::numeric_limits<double>::infinity();  ///< of a local maximum whose distance, as a radius, leads nowhere out of the ball
 };
 
 /// Looks at the ball of this radius [m] about p. `closed` is a closed surface, `surface` all surface. Where these lie in three planes at

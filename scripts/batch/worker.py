@@ -19,6 +19,7 @@ from plan import UNWRITABLE, row_file
 
 MEGABYTE = 1 << 20
 READER = {"reader-memory": 512, "reader-time": 4}  # defaults of decompose, which an attempt doubles like its own limits
+MOST = 2**31 - 1  # that decompose takes for these
 SCARCE = {"OutOfMemory", "OutOfTime"}  # causes that more of it may mend
 NOT_WRITTEN = 2  # status of decompose for a refused input, a single mesh that failed, and an output that cannot be written
 INTERRUPTED = {130, -signal.SIGINT, -signal.SIGTERM}  # statuses of decompose
@@ -44,7 +45,7 @@ def command(entry, settings, attempt, report):
     options = dict(entry["options"])
     if attempt > 1:
         for name, default in READER.items():
-            options[name] = [f"{float(options.get(name, [default])[0]) * 2 ** (attempt - 1):g}"]
+            options[name] = [str(min(int(options.get(name, [default])[0]) * 2 ** (attempt - 1), MOST))]
     words = [word for name, values in options.items() for value in values for word in ["--" + name, value][:1 + bool(value)]]
     return [settings["decompose"], entry["input"], "--output", os.path.join(settings["output"], entry["folder"]), "--json", str(report), "--quiet",
             "--replace-complete", "--jobs", str(settings["threads"]), *words]

@@ -173,13 +173,17 @@ bool lackedMeans(const ElementReport& row) {
 /// An output with all meshes is worth more than one without those that memory or time did not suffice for.
 void refuseLosingMeshes(const Report& report, const fs::path& folder, const RunControl& control) {
   if (report.options.replace_complete) return;
-  const auto lacked = std::count_if(report.links.begin(), report.links.end(), lackedMeans);
-  const std::optional<EarlierOutput> earlier = lacked > 0 ? earlierOutput(folder, control) : std::nullopt;
+  std::vector<ElementReport> lacked;
+  const auto add = [&](const ModelReport& model) {
+    std::copy_if(model.links.begin(), model.links.end(), std::back_inserter(lacked), lackedMeans);
+  };
+  add(report);
+  for (const ModelReport& model : report.models) add(model);
+  const std::optional<EarlierOutput> earlier = lacked.empty() ? std::nullopt : earlierOutput(folder, control);
   if (!earlier || !earlier->complete) return;
-  const auto first = std::find_if(report.links.begin(), report.links.end(), lackedMeans);
   throw Error(ErrorCode::kUnwritableOutput,
               "output '" + folder.string() + "' stays as it is: it has all meshes, and this run lacked memory or time for " +
-                  counted(static_cast<std::size_t>(lacked), "mesh", "meshes") + ", such as '" + first->uri + "' of link '" + first->link +
+                  counted(lacked.size(), "mesh", "meshes") + ", such as '" + lacked.front().uri + "' of link '" + lacked.front().link +
                   "'; run again with fewer jobs or a larger tolerance, choose another output, or run 'decompose --replace-complete'");
 }
 
@@ -245,7 +249,7 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
 }
 
 void writeReport(const Report& report, const std::string& file, const RunControl& control) {
-  writeNamedFile(file, toJson(report), control);
+  writeNamedFile(file, toJson(report, control), control);
 }
 
 }  // namespace collision_hulls

@@ -13,6 +13,7 @@
 #include "base/counted.h"
 #include "base/decimal.h"
 #include "base/millimetres.h"
+#include "collision_hulls/report/totals.h"
 #include "geometry/bytes.h"
 #include "pipeline/run.h"
 #include "report/largest_tolerance.h"
@@ -311,7 +312,7 @@ void noteTimeLimit(Report& report) {
   const auto [first, others] = firstAndOthers(report, is_cut);
   if (!first) return;
   report.notes.push_back("the time limit ended the search for " + std::to_string(others + 1) + " of " +
-                         std::to_string(report.links.size()) +
+                         std::to_string(totals(report).meshes) +
                          " meshes early, so they may have more hulls, or protrude further, than they need: '" + first->uri + "' lacks " +
                          first->untried + "; their hulls cover, and their bounds hold, all the same");
 }

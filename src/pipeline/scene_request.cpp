@@ -14,7 +14,8 @@ SceneRequest readSceneRequest(const Input& input, const SceneSources& sources, c
   SceneRequest request;
   for (const std::string& file : {sources.scene, sources.srdf_file, sources.configurations})
     if (!file.empty()) request.files.push_back(file);
-  if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package, sources.mesh_limits, control);
+  if (!sources.scene.empty())
+    request.scene = readScene(sources.scene, input.find_package, sources.mesh_limits, control, sources.package_path);
   request.files.insert(request.files.end(), request.scene.files.begin(), request.scene.files.end());
   if (!sources.srdf.empty() || !sources.srdf_file.empty()) {
     DisabledPairs disabled = parseDisabledPairs(sources.srdf, input.robot, sources.srdf_file, control);

@@ -102,7 +102,8 @@ CertifiedSpheres withinLimit(const PreparedMesh& mesh, const SphereOptions& opti
   if (result.within_tolerance) return result;
   const std::string asked = "the tolerance of " + millimetres(options.tolerance);
   result.reason = (enough ? asked + " is too small for this mesh" : spheresDo(options.max_spheres, " not cover the mesh within ") + asked) +
-                  "; " + spheresDo(result.spheres.size(), " within ") + millimetresBeyond(result.bound, options.tolerance);
+                  "; " + spheresDo(result.spheres.size(), " within ") + millimetresBeyond(result.bound, options.tolerance) +
+                  (enough ? "; raise the tolerance" : "; raise max-hulls, or the tolerance");
   return result;
 }
 

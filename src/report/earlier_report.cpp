@@ -23,9 +23,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;  // some half a million hulls
-constexpr std::size_t kDeepest = 100;                            // objects and arrays in one another; ours has fewer than ten
-constexpr std::size_t kLongestPath = 4096;                       // [bytes] of a file that Linux opens
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // some hundred thousand rows
+constexpr std::size_t kDeepest = 100;                             // objects and arrays in one another; ours has fewer than ten
+constexpr std::size_t kLongestPath = 4096;                        // [bytes] of a file that Linux opens
 
 std::optional<std::string> textOf(const fs::path& folder, const RunControl& control) {
   try {
@@ -42,10 +42,19 @@ enum class Kind { kText, kObject, kArray, kOther };
 
 /// What is asked for, by its place: the keys on the way to it, an empty one for any item of an array.
 const std::map<std::string_view, Kind>& wanted() {
-  static const std::map<std::string_view, Kind> places = {
-      {"/collision_hulls", Kind::kText}, {"/files", Kind::kArray},        {"/files/", Kind::kText},        {"/input/sha256", Kind::kText},
-      {"/options/source", Kind::kText},  {"/links", Kind::kArray},        {"/links/", Kind::kObject},      {"/links//link", Kind::kText},
-      {"/links//source", Kind::kText},   {"/links//status", Kind::kText}, {"/links//files", Kind::kArray}, {"/links//files/", Kind::kText}};
+  static const std::map<std::string_view, Kind> places = {{"/collision_hulls", Kind::kText},
+                                                          {"/files", Kind::kArray},
+                                                          {"/files/", Kind::kText},
+                                                          {"/input/sha256", Kind::kText},
+                                                          {"/options/source", Kind::kText},
+                                                          {"/links", Kind::kArray},
+                                                          {"/links/", Kind::kObject},
+                                                          {"/links//link", Kind::kText},
+                                                          {"/links//source", Kind::kText},
+                                                          {"/links//status", Kind::kText},
+                                                          {"/links//files", Kind::kArray},
+                                                          {"/links//files/", Kind::kText},
+                                                          {"/models//links//status", Kind::kText}};
   return places;
 }
 
@@ -139,7 +148,7 @@ class ReportReader {
     if (place_ == "/options/source") source_.source = sourceNamed(text).value_or(Source::kAuto);
     if (place_ == "/links//link") row_.link = text;
     if (place_ == "/links//source") row_.source = text;
-    if (place_ == "/links//status" && text == "failed") output_.complete = false;
+    if ((place_ == "/links//status" || place_ == "/models//links//status") && text == "failed") output_.complete = false;
   }
 
   /// Of the files that an output has; a report that was written by hand may name others.

@@ -17,10 +17,10 @@ constexpr const char* kReportFile = "report.json";
 /// The output of an earlier run.
 struct EarlierOutput {
   std::set<std::filesystem::path> files;  ///< relative to its folder, none outside of it; the report is one
-  bool complete = true;                   ///< no row of it failed
+  bool complete = true;                   ///< no row of any model failed
 };
 
-/// nullopt if the folder is no earlier output: if its report is missing, of another program, above 16 MiB, no regular file, or may not be
+/// nullopt if the folder is no earlier output: if its report is missing, of another program, above 256 MiB, no regular file, or may not be
 /// read (base/roots.h). Time is near-linear. Throws kCancelled.
 std::optional<EarlierOutput> earlierOutput(const std::filesystem::path& folder, const RunControl& control = {});
 

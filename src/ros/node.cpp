@@ -114,9 +114,12 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const StatedJob job(preview_, "fit_scene");
   const Input input = inputOf(request.robot_description, request.base, control);
   Options own = readOptions(private_);
-  own.method = Method::kCertified;  // ~method, ~tree and ~time_limit are for the other job
+  own.method = Method::kCertified;  // what a fit refuses is for the other job
   own.tree.reset();
   own.time_limit = 0;
+  own.segments = false;
+  own.shapes = Shapes::kHulls;
+  own.padding = 0;
   const Options options = requestedOptions(configured(private_, request.config, own, control), toRequest(request), input.robot);
   const LinkDecisions decisions = firstModelDecisions(options, input.robot, control);
   const std::string output = outputFor(request.output, input, control);

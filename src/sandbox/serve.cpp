@@ -144,7 +144,10 @@ bool receiveText(std::string& text, std::uint64_t size) {
 bool serveOne(const AnswerFunction& answer) {
   Job job;
   if (receiveWith(kSocket, &job.header, sizeof job.header, job.given, MSG_WAITALL) != static_cast<long>(sizeof job.header)) return false;
-  if (job.header.version != kWireVersion) return sendEnding({Ending::Kind::kOtherVersion, 0}) && false;
+  if (job.header.version != kWireVersion) {
+    sendEnding({Ending::Kind::kOtherVersion, 0});
+    return false;
+  }
   job.question.file = job.given[1].number();
   return receiveText(job.question.head, job.header.head_size) && receiveText(job.question.body, job.header.body_size) &&
          answerInWorker(answer, job);

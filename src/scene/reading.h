@@ -24,6 +24,7 @@ struct SceneReading {
   const PackageFinder& find_package;
   const MeshLimits& limits;
   const RunControl& control;
+  std::vector<std::string> package_path = {};  ///< see readRobotDescription()
 };
 
 /// Meshes by URI, each file read once.

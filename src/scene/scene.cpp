@@ -75,7 +75,7 @@ Scene readUrdfScene(const std::string& file, const SceneReading& how) {
   if (isConfined() && lowerExtension(file) == ".xacro")
     throw Error(ErrorCode::kOutsideRoots, "'" + file + "' is a xacro file, which is code, and includes files from any folder; run 'xacro " +
                                               "FILE.xacro > FILE.urdf', and give the .urdf");
-  const RobotDescription robot = readRobotDescription(file, how.control);
+  const RobotDescription robot = readRobotDescription(file, how.control, how.package_path);
   MeshLibrary meshes(how);
   Scene scene;
   SceneBuilder builder(scene);
@@ -144,8 +144,9 @@ void addBody(Scene& scene, SceneBody body) {
   SceneBuilder(scene).add(std::move(body));
 }
 
-Scene readScene(const std::string& file, const PackageFinder& find_package, const MeshLimits& limits, const RunControl& control) {
-  std::optional<Scene> scene = readByExtension(file, {find_package, limits, control});
+Scene readScene(const std::string& file, const PackageFinder& find_package, const MeshLimits& limits, const RunControl& control,
+                const std::vector<std::string>& package_path) {
+  std::optional<Scene> scene = readByExtension(file, {find_package, limits, control, package_path});
   if (!scene) {
     throw Error(ErrorCode::kUnsupportedFormat,
                 "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +

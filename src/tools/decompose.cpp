@@ -7,7 +7,8 @@ namespace {
 constexpr const char* kFooter = R"(
 Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written; if all failed, nothing is
 written, unless at least as many links have only primitives as have meshes);
-2 usage error, unreadable input, a single mesh that failed, or unwritable output; 130 interrupted.
+2 usage error, unreadable input, a single mesh that failed, unwritable output, or a report that could not be printed or
+saved (--json); 130 interrupted.
 "degraded" is no failure: the hulls cover the mesh, but protrude further than the tolerance.
 
 Examples:

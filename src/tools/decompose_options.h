@@ -112,7 +112,7 @@ class DecomposeOptionAdder {
         [](Options& options, const std::string&, const std::string& text) { options.tolerance = parseLength(text); });
     addChoice("Accuracy", "-m,--method", &Options::method, methodNamed, methodChoices(), name(defaults.method), "How to decompose meshes");
     addChoice("Accuracy", "--effort", &Options::effort, effortNamed, effortChoices(), name(defaults.effort),
-              "best searches longer for fewer hulls (method certified)");
+              "instant: least time, more hulls; best: fewest hulls, several times the time (method certified)");
     addFlag(
         "Accuracy", "--fill", [](Options& options) { options.fill = true; },
         "Cover the inside of closed meshes as well, not their surface alone (method certified)");

@@ -100,8 +100,10 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input, const Ru
     throw Error(ErrorCode::kBadOption,
                 "'" + input.path + "' is a mesh; only a robot can be fitted to a scene, so give a URDF, xacro file or package");
   const std::string srdf = command.srdf.empty() ? "" : readTextFileOrPipe(command.srdf, ".srdf file", control);
-  SceneRequest request = readSceneRequest(
-      input, {command.scene, srdf, command.srdf, command.configurations, command.max_step, meshLimits(command.robot.options)}, control);
+  SceneRequest request = readSceneRequest(input,
+                                          {command.scene, srdf, command.srdf, command.configurations, command.max_step,
+                                           meshLimits(command.robot.options), command.robot.package_path},
+                                          control);
   request.clearance = command.clearance_metres;
   request.samples = static_cast<std::size_t>(command.samples);
   request.compare = !command.compare.empty();

@@ -103,7 +103,7 @@ int run(Command& command) {
   const Kinematics kinematics(robot.robot);
   const JointSpace space(kinematics, command.options.joints, command.options.others);
   std::vector<Scene> scenes;
-  for (const std::string& file : command.scenes) scenes.push_back(readScene(file, robot.find_package));
+  for (const std::string& file : command.scenes) scenes.push_back(readScene(file, robot.find_package, {}, {}, command.package_path));
   fs::create_directories(command.output);
   CsvFile csv(fs::path(command.output) / "queries.csv", planHeader());
   const PlanResults results = runPlanBenchmark(robot, scenes, command.options, [&](const PlanRow& row) {

@@ -31,6 +31,7 @@ constexpr double kThinnest = 0.02, kThickest = 0.5;  // its sides, in diagonals 
 constexpr double kLeastContradiction = 1e-6;         // [m] by which a contradiction must exceed its bound
 constexpr double kSliver = 1e-9;                     // [m] width that lines are given: far less than that
 constexpr std::size_t kMostRemarks = 10;
+constexpr std::size_t kBatch = 1000;      // configurations whose counts are kept one by one: they are added up in their order
 constexpr std::size_t kMostLinks = 2000;  // whose pairs are counted: two million take 200 MB
 constexpr int kTurns = 8;                 // of nearness()
 
@@ -230,6 +231,14 @@ void add(TrialCounts& sum, const TrialCounts& more) {
   sum.phantom += more.phantom;
 }
 
+void add(Trials& sum, const Trials& one) {
+  add(sum.all, one.all);
+  for (std::size_t i = 0; i < sum.of_link.size(); ++i) add(sum.of_link[i], one.of_link[i]);
+  sum.contradictions += one.contradictions;
+  for (const std::string& remark : one.remarks)
+    if (sum.remarks.size() < kMostRemarks) sum.remarks.push_back(remark);
+}
+
 /// The pairs of links that collide on either side, in any configuration. Thread safe; the sums do not depend on the order.
 class PairCounts {
  public:
@@ -337,20 +346,16 @@ Trials tryConfigurations(const Kinematics& kinematics, const std::vector<TrialLi
   sum.of_link.resize(links.size());
   if (links.empty()) return sum;
   const Trial trial(kinematics, links, control);
-  std::vector<Trials> each(configurations);
   PairCounts pairs;
-  forEach(configurations, [&](std::size_t i) {
-    control.check();
-    each[i] = trial.run(seed, i, pairs);
-  });
-  sum.pairs = pairs.differing(configurations);
-  for (const Trials& one : each) {
-    add(sum.all, one.all);
-    for (std::size_t i = 0; i < links.size(); ++i) add(sum.of_link[i], one.of_link[i]);
-    sum.contradictions += one.contradictions;
-    for (const std::string& remark : one.remarks)
-      if (sum.remarks.size() < kMostRemarks) sum.remarks.push_back(remark);
+  for (std::size_t first = 0; first < configurations; first += kBatch) {
+    std::vector<Trials> each(std::min(kBatch, configurations - first));
+    forEach(each.size(), [&](std::size_t i) {
+      control.check();
+      each[i] = trial.run(seed, first + i, pairs);
+    });
+    for (const Trials& one : each) add(sum, one);
   }
+  sum.pairs = pairs.differing(configurations);
   return sum;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using fixtures::meshTag;
 
-constexpr const char* kNobody = "<maintainer email=\"nobody@example.com\">nobody</maintainer>";
+constexpr const char* kNobody = "<maintainer email=\"nobody@example.invalid\">nobody</maintainer>";
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -60,9 +60,9 @@ TEST(PackageXml, HasTheMaintainersOfTheInputsPackage) {
     EXPECT_TRUE(has(with(none), kNobody)) << none;
 }
 
-TEST(CMakeLists, InstallsTheFoldersOfTheOutput) {
+TEST(CMakeLists, InstallsTheFoldersAndFilesOfTheOutput) {
   RobotResult result;
-  result.extra_files["mjcf/arm.xml"] = "";
+  result.extra_files["mjcf/arm.xml"] = result.extra_files["model.sdf"] = "";
   const std::string text = cmakeLists("out", result);
   EXPECT_TRUE(has(text, "project(out)")) << text;
   EXPECT_TRUE(has(text, "install(DIRECTORY config meshes mjcf urdf DESTINATION")) << text;

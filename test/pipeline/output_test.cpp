@@ -393,6 +393,25 @@ TEST(WriteOutput, MeshesThatWereThereBeforeStayIfMemoryOrTimeDidNotSuffice) {
   }
 }
 
+TEST(WriteOutput, MeshesOfAnotherModelStayToo) {
+  const TempFolder folder;
+  RobotResult complete = sample();
+  writeOutput(complete, folder / "out");
+  RobotResult result = sample(), other = incomplete(ErrorCode::kOutOfTime);
+  result.models.push_back(static_cast<ModelResult>(other));
+  result.report.models.push_back(static_cast<ModelReport>(other.report));
+  result.report.models[0].model = "coarse";
+  const auto before = fixtures::contents(folder.path());
+  try {
+    writeOutput(result, folder / "out");
+    ADD_FAILURE() << "replaced";
+  } catch (const Error& error) {
+    for (const char* part : {"stays as it is", "for 1 mesh,", "package://arm/b.stl"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(fixtures::contents(folder.path()), before);
+}
+
 TEST(WriteOutput, OtherFailuresReplaceACompleteOutput) {
   const TempFolder folder;
   RobotResult complete = sample(), result = incomplete(ErrorCode::kNotAMesh);

@@ -104,6 +104,7 @@ TEST(CertifiedSpheres, BeyondTheLimitTheToleranceIsRaised) {
   EXPECT_FALSE(result.within_tolerance);
   EXPECT_GT(result.bound, 0.01);
   EXPECT_NE(result.reason.find("50 spheres do not cover the mesh within the tolerance of 10 mm"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("; raise max-hulls, or the tolerance"), std::string::npos) << result.reason;
   EXPECT_NE(result.reason.find("; " + std::to_string(result.spheres.size()) + " spheres do within " + millimetres(result.bound)),
             std::string::npos)
       << result.reason;

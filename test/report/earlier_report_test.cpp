@@ -34,6 +34,20 @@ TEST_F(EarlierReport, FilesAndWhetherARowFailed) {
   EXPECT_EQ(complete->files, (Files{"report.json", "urdf/a.urdf", "a.stl", "b.stl"}));
   EXPECT_TRUE(complete->complete);
   EXPECT_FALSE(read(begin + row("ok", "a.stl") + "," + row("failed", "b.stl") + "]}")->complete);
+  const auto with_model = [&](const std::string& status) {
+    return read(begin + row("ok", "a.stl") + R"(], "models": [{"links": [)" + row(status, "c.stl") + "]}]}");
+  };
+  EXPECT_TRUE(with_model("degraded")->complete);
+  EXPECT_FALSE(with_model("failed")->complete);
+}
+
+TEST_F(EarlierReport, OfTensOfThousandsOfRows) {
+  std::string rows;
+  for (int i = 0; i < 20'000; ++i) rows += R"({"note": ")" + std::string(1000, 'x') + R"(", "status": "ok", "files": ["a.stl"]},)";
+  rows.back() = ']';
+  const auto earlier = read(R"({"collision_hulls": "1", "files": [], "links": [)" + rows + "}");
+  ASSERT_TRUE(earlier);
+  EXPECT_EQ(earlier->files, (Files{"report.json", "a.stl"}));
 }
 
 TEST_F(EarlierReport, WhatTheModelWasMadeFrom) {

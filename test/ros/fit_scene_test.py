@@ -62,6 +62,14 @@ class FitSceneTest(unittest.TestCase):
         self.assertEqual(["ok", "kept"], [row.status for row in response.links])
         self.assertIn("<robot", response.srdf)
 
+    def test_parameters_of_the_other_job_do_not_matter(self):
+        others = {"method": "hacd", "segments": True, "tree": "1cm", "time_limit": "9s", "padding": "1cm"}
+        for name, value in others.items():
+            rospy.set_param(f"{NODE}/{name}", value)
+            self.addCleanup(rospy.delete_param, f"{NODE}/{name}")
+        response = self.fit()
+        self.assertTrue(response.success, response.message)
+
     def test_brief(self):
         response = self.fit(brief=True)
         self.assertEqual(("", "", ""), (response.robot_description, response.report, response.srdf))

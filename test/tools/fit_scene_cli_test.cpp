@@ -103,6 +103,18 @@ TEST_F(FitSceneProgram, AnSrdfFromAPipe) {
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf /dev/zero", {"/dev/zero", "not a regular file"});
 }
 
+TEST_F(FitSceneProgram, XacroOfTheSceneFindsThePackagesGiven) {
+  const std::string cell =
+      fixtures::robot("cell", fixtures::link("wall", "    <visual>" + fixtures::meshTag("bracket.obj") + "</visual>\n"));
+  fixtures::write(folder_ / "cell.urdf.xacro", cell);
+  fixtures::write(folder_ / "elsewhere/package.xml", "<package><name>elsewhere</name></package>");
+  fixtures::write(folder_ / "bin/xacro", "#!/bin/sh\ncase \"$ROS_PACKAGE_PATH\" in *elsewhere*) exec cat \"$1\" ;; esac\nexit 2\n");
+  const std::string before = "chmod +x bin/xacro; PATH=$PWD/bin:$PATH; ",
+                    command = "arm.urdf --scene cell.urdf.xacro --clearance 1cm --samples 10 ";
+  EXPECT_EQ(run(command, before).status, 2);
+  EXPECT_EQ(run(command + "--package-path elsewhere", before).status, 0);
+}
+
 TEST_F(FitSceneProgram, WritesNoComparisonIfNothingCouldBeFitted) {
   fixtures::write(folder_ / "torn.urdf",
                   fixtures::robot("torn", fixtures::link("base", "    <visual>" + fixtures::meshTag("nowhere.obj") + "</visual>\n")));

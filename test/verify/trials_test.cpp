@@ -85,6 +85,16 @@ TEST(Trials, ASmallerModelMissesAndALargerOneIsHitTooOften) {
   EXPECT_GT(small.all.hits, small.all.missed);
 }
 
+TEST(Trials, EveryConfigurationCountsWhateverTheirNumber) {
+  const Cube cube(0.9);
+  const std::vector<TrialLink> links = {{0, cube.pair.get(), &cube.row}, {2, cube.pair.get(), &cube.row}};
+  const Trials thousand = tryConfigurations(twoLinks(), links, 1000, 1), more = tryConfigurations(twoLinks(), links, 2500, 1);
+  EXPECT_EQ(more.all.queries, 2500u * 3);
+  EXPECT_GT(more.all.hits, 2 * thousand.all.hits);
+  EXPECT_LT(more.all.hits, 3 * thousand.all.hits);
+  EXPECT_GT(more.of_link[1].missed, 2 * thousand.of_link[1].missed);
+}
+
 TEST(Trials, CountsEachPairOfLinksWithoutTheBoxes) {
   const Trials small = trialsOf(Cube(0.9)), large = trialsOf(Cube(1.1)), same = trialsOf(Cube(1));
   EXPECT_TRUE(same.pairs.empty());

@@ -31,6 +31,8 @@ struct SceneSources {
   std::string configurations;  ///< file
   double max_step = 0;         ///< [rad or m] between configurations, see ConfigurationOptions
   MeshLimits mesh_limits;      ///< for the scene's meshes
+  std::vector<std::string>
+      package_path;  ///< where a scene's xacro finds packages, see readRobotDescription()
 };
 
 /// What the options let the reading of a mesh use: reader_memory and reader_time.

@@ -124,9 +124,10 @@ class SceneBuilder {
 /// error. Throws kFileNotFound, kUnsupportedFormat, kPackageNotFound and kTooLarge; kBadScene for
 /// text that violates the format, invalid sizes and poses, duplicate names, and a scene without
 /// bodies; the errors of reading a mesh, naming the body; for URDF, those of
-/// readRobotDescription(). XML and YAML are parsed in another process, as meshes are: also throws
-/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
+/// readRobotDescription(), which takes `package_path`. XML and YAML are parsed in another process,
+/// as meshes are: also throws kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
 Scene readScene(const std::string& file, const PackageFinder& find_package,
-                const MeshLimits& limits = {}, const RunControl& control = {});
+                const MeshLimits& limits = {}, const RunControl& control = {},
+                const std::vector<std::string>& package_path = {});
 
 }  // namespace collision_hulls

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kNobody = "  <maintainer email=\"nobody@example.com\">nobody</maintainer>\n";
+constexpr const char* kNobody = "  <maintainer email=\"nobody@example.invalid\">nobody</maintainer>\n";
 
 /// The package.xml of the package around a file; empty if there is none.
 std::string manifestAround(const std::string& file) {
@@ -73,6 +73,13 @@ std::string dependencies(const std::string& package, const RobotResult& result) 
   return lines;
 }
 
+/// Each after a space.
+std::string listed(const std::set<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += " " + name;
+  return list;
+}
+
 }  // namespace
 
 std::string packageXml(const std::string& package, const RobotResult& result, const RunControl& control) {
@@ -87,17 +94,22 @@ std::string packageXml(const std::string& package, const RobotResult& result, co
 }
 
 std::string cmakeLists(const std::string& package, const RobotResult& result) {
-  std::set<std::string> folders{"config", "meshes", "urdf"};
-  for (const auto& [file, text] : result.extra_files) folders.insert(fs::path(file).begin()->string());
-  std::string names;
-  for (const std::string& folder : folders) names += folder + " ";
+  std::set<std::string> folders{"config", "meshes", "urdf"}, files{"report.json"};
+  if (result.report.options.html) files.insert("report.html");
+  for (const auto& [file, text] : result.extra_files) {
+    const fs::path path(file);
+    if (path.has_parent_path())
+      folders.insert(path.begin()->string());
+    else
+      files.insert(file);
+  }
   return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + package +
          ")\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
-         "install(DIRECTORY " +
-         names +
-         "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
-         "install(FILES " +
-         std::string(result.report.options.html ? "report.html " : "") + "report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
+         "install(DIRECTORY" +
+         listed(folders) +
+         " DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
+         "install(FILES" +
+         listed(files) + " DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
 }
 
 }  // namespace collision_hulls

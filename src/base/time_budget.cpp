@@ -8,6 +8,8 @@
 namespace collision_hulls {
 namespace {
 
+constexpr double kWorthwhile = 1.5;  // times what a task had before: with less it would hardly find more
+
 RunControl::Time after(const RunControl::Time& now, double seconds) {
   return now + std::chrono::duration_cast<RunControl::Time::duration>(std::chrono::duration<double>(seconds));
 }
@@ -39,12 +41,27 @@ RunControl::Time TimeBudget::begin(std::size_t task) {
   }
   const double share = waiting > 0 ? mine.cost / waiting : 1;
   mine.state = State::kRunning;
-  return mine.deadline = after(now, std::clamp(share * free, 0.0, left(end_, now)));
+  mine.granted = std::clamp(share * free, 0.0, left(end_, now));
+  return mine.deadline = after(now, mine.granted);
 }
 
 void TimeBudget::finish(std::size_t task) {
   const std::lock_guard<std::mutex> lock(mutex_);
   tasks_[task].state = State::kDone;
+}
+
+std::vector<std::size_t> TimeBudget::again(const std::vector<std::size_t>& tasks) {
+  std::vector<std::size_t> result;
+  if (end_ == RunControl::Time::max()) return result;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double rest = left(end_, clock_());
+  if (rest == 0) return result;
+  double granted = 0;
+  for (const std::size_t task : tasks)
+    if (rest >= kWorthwhile * tasks_[task].granted) result.push_back(task), granted += tasks_[task].granted;
+  if (threads_ * rest < kWorthwhile * granted) return {};
+  for (const std::size_t task : result) tasks_[task].cost = tasks_[task].granted, tasks_[task].state = State::kWaiting;
+  return result;
 }
 
 }  // namespace collision_hulls

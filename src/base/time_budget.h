@@ -23,12 +23,17 @@ class TimeBudget {
   RunControl::Time begin(std::size_t task);
   void finish(std::size_t task);
 
+  /// Which of these tasks, all done, may begin once more: the rest of the time is theirs, in proportion to what they had. None if that is
+  /// hardly more.
+  std::vector<std::size_t> again(const std::vector<std::size_t>& tasks);
+
  private:
   enum class State { kWaiting, kRunning, kDone };
   struct Task {
     double cost = 0;
     State state = State::kWaiting;
     RunControl::Time deadline;
+    double granted = 0;  // [s] when it began
   };
   double left(const RunControl::Time& end, const RunControl::Time& now) const;
 

@@ -211,6 +211,9 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   if (options.method == Method::kAcd)
     return "acd measures concavity at reflex edges, which does not bound the protrusion, so that a smaller tolerance need not help; use "
            "certified";
+  if (made.result.found <= limit(options))
+    return "no point was found further out than " + millimetres(made.result.found) +
+           ", but that is not proved; raise the tolerance a little, or repair the mesh";
   if (options.padding > 0)
     return "padded hulls of few vertices (" + vertices + ") reach further than the padding; raise the tolerance or that limit";
   if (made.blunted > kMuch * made.result.bound)

@@ -36,10 +36,13 @@ class HullCount {
   explicit HullCount(const Run& run) : run_(run), of_model_(1 + run.report.models.size()) {}
 
   /// Throws kTooLarge.
-  void add(const MeshVariant& variant, std::size_t hulls) {
+  void add(const MeshVariant& variant, std::size_t hulls) { replace(variant, 0, hulls); }
+
+  /// The same for a variant that has counted as `before`.
+  void replace(const MeshVariant& variant, std::size_t before, std::size_t hulls) {
     if (run_.report.urdf.empty()) return;  // a single mesh, which has no description
     for (const std::size_t use : variant.uses) {
-      if ((of_model_[run_.uses[use].model] += hulls) <= kMostHulls) continue;
+      if ((of_model_[run_.uses[use].model] += hulls - before) <= kMostHulls) continue;
       throw Error(ErrorCode::kTooLarge, "the robot has more than " + std::to_string(kMostHulls) + " hulls with those of link '" +
                                             run_.uses[use].link +
                                             "', above the limit of a model; give a larger tolerance, fewer max-hulls or fewer links");
@@ -206,10 +209,64 @@ void validateOrRemember(std::size_t model, const std::vector<std::string>& keys,
   if (complete && !known) run.cache.storeValidation(key, report.validation);
 }
 
+bool isCut(const MeshVariant& variant, const Run& run) {
+  return !run.results[variant.uses.front()]->untried.empty();
+}
+
+/// Whether `a` is the better result of a mesh; both have hulls.
+bool isBetter(const MeshResult& a, const MeshResult& b) {
+  if (a.status != b.status) return a.status == Status::kOk;
+  if (a.status != Status::kOk) return a.model.protrusion < b.model.protrusion;
+  return a.hulls.size() < b.hulls.size() || (a.hulls.size() == b.hulls.size() && a.untried.empty());
+}
+
+StageSeconds sum(const StageSeconds& a, const StageSeconds& b) {
+  return {a.read + b.read, a.repair + b.repair, a.decompose + b.decompose, a.certify + b.certify, a.write + b.write};
+}
+
+/// The same for a task that time cut short; its results are replaced by better ones.
+void decomposeAgain(std::size_t index, HullCount& written, Run& run) {
+  const MeshTask& task = run.tasks[index];
+  std::vector<const MeshVariant*> cut;
+  for (const MeshVariant& variant : task.variants)
+    if (isCut(variant, run)) cut.push_back(&variant);
+  SharedMesh mesh(task, run.options, run.cache);
+  const auto count = static_cast<double>(cut.size());
+  for (std::size_t v = 0; v < cut.size(); ++v) {
+    const auto before = static_cast<double>(v);
+    const VariantWork work{index, cut[v]->options, cut.size() - v, before / count, (before + 1) / count};
+    auto result = std::make_shared<MeshResult>(decomposed(work, mesh, run));
+    const MeshResult& first = *run.results[cut[v]->uses.front()];
+    if (result->status == Status::kFailed || !isBetter(*result, first)) continue;
+    written.replace(*cut[v], first.hulls.size(), result->hulls.size());
+    result->seconds = sum(result->seconds, first.seconds);
+    for (const std::size_t use : cut[v]->uses) run.results[use] = result;
+  }
+  run.time.finish(index);
+  run.progress.finish(index);
+}
+
+/// What a mesh needs is known only when it is done, so meshes that time cut short get what the others left of it.
+void useTimeLeft(HullCount& written, Run& run) {
+  while (true) {
+    std::vector<std::size_t> cut;
+    for (std::size_t i = 0; i < run.tasks.size(); ++i)
+      if (std::any_of(run.tasks[i].variants.begin(), run.tasks[i].variants.end(), [&](const auto& v) { return isCut(v, run); }))
+        cut.push_back(i);
+    cut = run.time.again(cut);
+    if (cut.empty()) return;
+    std::vector<double> costs(run.tasks.size(), 0);
+    for (const std::size_t task : cut) costs[task] = 1;
+    run.progress.begin("decompose", kMeshesShare, costs);
+    forEachInTurn(cut.size(), [&](std::size_t i) { decomposeAgain(cut[i], written, run); });
+  }
+}
+
 /// Steps 1 to 4, once per mesh; then step 5, once per model.
 void decomposeAll(Run& run) {
   HullCount written(run);
   forEachInTurn(run.tasks.size(), [&](std::size_t i) { decomposeTask(i, written, run); });
+  if (run.options.time_limit > 0) useTimeLeft(written, run);
   if (!run.options.validate) return;
   const std::size_t models = 1 + run.report.models.size();
   run.progress.begin("validate", 1, std::vector<double>(models, 1));

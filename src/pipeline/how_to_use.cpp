@@ -47,8 +47,8 @@ std::set<std::string> packagesIn(const std::string& urdf) {
 }
 
 /// Where the packages lie that the output needs beside its own and that ROS does not find, though they were found from the input.
-std::set<std::string> foldersOfOthers(const RobotResult& result, const std::string& own) {
-  const PackageFinder of_ros = defaultPackageFinder(), near = defaultPackageFinder(result.report.input_path);
+std::set<std::string> foldersOfOthers(const RobotResult& result, const std::string& own, const std::vector<std::string>& package_path) {
+  const PackageFinder of_ros = defaultPackageFinder(), near = defaultPackageFinder(result.report.input_path, package_path);
   std::set<std::string> folders;
   for (const std::string& package : packagesIn(result.urdf)) {
     const auto known = package == own || of_ros.knownPackage(package) ? std::nullopt : near.knownPackage(package);
@@ -57,10 +57,11 @@ std::set<std::string> foldersOfOthers(const RobotResult& result, const std::stri
   return folders;
 }
 
-std::string asPackage(const std::string& package, const fs::path& place, const std::string& urdf, const RobotResult& result) {
+std::string asPackage(const std::string& package, const fs::path& place, const std::string& urdf, const RobotResult& result,
+                      const std::vector<std::string>& package_path) {
   const fs::path folder = isWithinPackage(place) ? place : place.parent_path();
   const bool is_known = isOnRosPath(package, place);
-  std::set<std::string> others = foldersOfOthers(result, package);
+  std::set<std::string> others = foldersOfOthers(result, package, package_path);
   if (!is_known) others.erase(folder.string());
   std::string folders = is_known ? "" : shellWord(folder.string());
   for (const std::string& other : others) folders += (folders.empty() ? "" : ":") + shellWord(other);
@@ -80,14 +81,14 @@ std::string hullsOf(const Report& report, const fs::path& place) {
 
 }  // namespace
 
-std::string howToUse(const RobotResult& result, const std::string& output) {
+std::string howToUse(const RobotResult& result, const std::string& output, const std::vector<std::string>& package_path) {
   const fs::path place = replacedFolder(output);
   const std::string written = "\nWritten to " + place.string() + "\n";
   if (result.single_mesh) return written + hullsOf(result.report, place);
   const Options& options = result.report.options;
   const std::string urdf = urdfFile(result.robot_name), file = (place / urdf).string();
   switch (options.uri) {
-    case UriStyle::kPackage: return written + asPackage(outputPackage(options, output), place, urdf, result);
+    case UriStyle::kPackage: return written + asPackage(outputPackage(options, output), place, urdf, result, package_path);
     case UriStyle::kFile: return written + "To use it, and leave the folder where it is:\n  " + loadedBy(file);
     case UriStyle::kRelative:
       return written + "To use it, load the file itself:\n  " + file +

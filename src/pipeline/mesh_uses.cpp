@@ -63,6 +63,26 @@ std::vector<std::string> notesOnPrimitives(const RobotDescription& robot, const 
           "; 'source: visual' in a configuration decomposes " + (links == 1 ? "its" : "their") + " visual meshes"};
 }
 
+/// Links that collide with nothing in the input, beside others that collide.
+std::vector<std::string> notesOnNew(const RobotDescription& robot, const LinkDecisions& decisions) {
+  constexpr std::size_t kMostNames = 5;
+  const auto collides = [](const LinkDescription& link) { return !link.collisions.empty(); };
+  if (std::none_of(robot.links.begin(), robot.links.end(), collides)) return {};
+  std::vector<std::string> names;
+  for (const LinkDescription& link : robot.links) {
+    const LinkOptions* const options = decisions.of(link.name);
+    if (collides(link) || !isDecomposed(options) || options->source != Source::kAuto) continue;
+    if (std::any_of(link.visuals.begin(), link.visuals.end(), isMesh)) names.push_back(shortened(link.name));
+  }
+  if (names.empty()) return {};
+  const std::size_t more = names.size() - std::min(kMostNames, names.size());
+  const bool one = names.size() == 1;
+  names.resize(names.size() - more);
+  return {counted(names.size() + more, "link has", "links have") + " no <collision> elements, and " + (one ? "gets" : "get") +
+          " hulls of " + (one ? "its" : "their") + " visual meshes: " + listed(names) +
+          (more > 0 ? " and " + std::to_string(more) + " more" : "") + "; --source collision leaves " + (one ? "it" : "them") + " without"};
+}
+
 bool haveCommon(const std::set<std::string>& a, const std::set<std::string>& b) {
   return std::any_of(a.begin(), a.end(), [&](const std::string& item) { return b.count(item) > 0; });
 }
@@ -172,6 +192,8 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
   if (decomposedUses(meshUses(robot, {decisions})) > 0) {
     std::vector<std::string> notes = notesOnLeftOut(robot, decisions);
     for (std::string& note : notesOnPrimitives(robot, decisions)) notes.push_back(std::move(note));
+    if (options.links.empty())
+      for (std::string& note : notesOnNew(robot, decisions)) notes.push_back(std::move(note));
     return notes;
   }
   std::ptrdiff_t visuals = 0, collisions = 0, chosen = 0;
@@ -232,7 +254,8 @@ std::vector<std::string> notesOnConvex(const RobotDescription& robot, const std:
   std::set<std::string> uris, links;
   for (const ElementReport& row : rows) {
     if (row.status == Status::kKept || row.status == Status::kRemoved) continue;
-    if (row.visual || row.status != Status::kOk || row.hulls != 1) return {};
+    const bool is_near = row.protrusion <= LinkOptions().tolerance.metres(row.diagonal);
+    if (row.visual || row.status != Status::kOk || row.hulls != 1 || !is_near) return {};
     uris.insert(row.uri), links.insert(row.link);
   }
   const bool has_others = std::any_of(robot.links.begin(), robot.links.end(), [&](const LinkDescription& link) {

@@ -53,7 +53,7 @@ std::string scaleText(const Eigen::Vector3d& scale) {
 /// A percentage of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
 void checkSize(const std::string& mesh, double diagonal, const Length& tolerance, const std::string& remedy) {
   if (diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;
-  throw Error(ErrorCode::kTooLarge, mesh + " is " + decimal(diagonal, 3) +
+  throw Error(ErrorCode::kTooLarge, mesh + " is " + (diagonal < 1000 ? decimal(diagonal, 3) : fixedDecimal(diagonal, 0)) +
                                         " m across, larger than any robot link: if its numbers are millimetres, " + remedy +
                                         "; if it really is that large, give the tolerance only as a percentage, such as 1%");
 }

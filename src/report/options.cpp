@@ -105,7 +105,6 @@ std::string shortestLength(double metres) {
   return best;
 }
 
-/// 5 for 5 mm is the usual mistake.
 void checkUnit(const std::string& option, const Length& length, const std::string& otherwise = "") {
   if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
   throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + decimal(kLargestTolerance) +
@@ -346,6 +345,10 @@ void checkShapes(const LinkOptions& options) {
   if (options.padding > 0) refuse("padding '" + toString(lengthOf(options.padding)) + "'", "hulls alone have");
   if (options.fill) refuse("fill", "hulls alone keep");
   if (!options.regions.empty()) refuse("region '" + options.regions.front().name + "'", "hulls alone keep");
+}
+
+void expectUnit(const std::string& option, double metres) {
+  checkUnit(option, lengthOf(metres));
 }
 
 void check(const Options& options) {

@@ -120,7 +120,7 @@ std::string legend(const Report& report) {
                      ", and no point of them is further from its solid than the protrusion.\n";
   if (report.scene) text += "The tolerance is that of the finest hulls: coarser ones, where the scene allows them, protrude further.\n";
   if (some_needed && !report.scene)
-    text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.\n";
+    text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where no more is known.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
   return text;

@@ -21,6 +21,7 @@ namespace {
 
 // How much of xacro's own messages is quoted: the end, which has the reason.
 constexpr std::size_t kMostQuoted = 2000;
+constexpr std::size_t kMostArguments = 20;    // that are asked for one by one
 constexpr std::size_t kLongestPath = 64'000;  // [bytes] of ROS_PACKAGE_PATH: the kernel takes twice as much
 
 bool isPackage(const fs::path& folder) {
@@ -95,13 +96,43 @@ std::string freeUrdfBeside(const fs::path& file) {
 
 /// What to do about an argument: the command that expands a file with a value for it, beside the file, as relative paths then still lead to
 /// its meshes.
-std::string runWith(const std::string& argument, const fs::path& file) {
-  return "run\n  xacro " + shellWord(file.string()) + " " + shellWord(argument + ":=VALUE") + " > " + shellWord(freeUrdfBeside(file)) +
-         "\nand give the .urdf";
+std::string runWith(const std::vector<std::string>& arguments, const std::string& path) {
+  const fs::path file = fs::absolute(path).lexically_normal();
+  std::string words;
+  for (const std::string& argument : arguments) words += " " + shellWord(argument + ":=VALUE");
+  return "run\n  xacro " + shellWord(file.string()) + words + " > " + shellWord(freeUrdfBeside(file)) + "\nand give the .urdf";
+}
+
+/// Runs xacro on a file, with 0 for each of these arguments; nullopt if there is no xacro.
+std::optional<ProgramResult> runXacro(const std::string& path, const std::vector<std::string>& arguments,
+                                      const std::vector<std::string>& package_path, const RunControl& control) {
+  const fs::path file = fs::absolute(path);  // so that no file's name looks like an option
+  std::vector<std::string> words = {"xacro", file.string()};
+  for (const std::string& argument : arguments) words.push_back(argument + ":=0");
+  return runProgram(words, control, {}, {"ROS_PACKAGE_PATH=" + packagePathFor(file, package_path)});
+}
+
+/// The argument without a value that xacro complains of; empty: of none.
+std::string argumentWithoutValue(const ProgramResult& xacro) {
+  return restOfLine(xacro.errors, "Undefined substitution argument ");
+}
+
+/// All arguments without values: xacro names one at a time.
+std::vector<std::string> argumentsWithoutValue(const std::string& path, const ProgramResult& first,
+                                               const std::vector<std::string>& package_path, const RunControl& control) {
+  std::vector<std::string> names;
+  std::string next = argumentWithoutValue(first);
+  while (!next.empty() && names.size() < kMostArguments && std::find(names.begin(), names.end(), next) == names.end()) {
+    names.push_back(next);
+    const std::optional<ProgramResult> xacro = runXacro(path, names, package_path, control);
+    next = xacro && xacro->status != 0 ? argumentWithoutValue(*xacro) : "";
+  }
+  return names;
 }
 
 /// The error of a file that xacro did not expand, and what helps against it.
-[[noreturn]] void throwFailed(const std::string& path, const ProgramResult& xacro, const RunControl& control) {
+[[noreturn]] void throwFailed(const std::string& path, const ProgramResult& xacro, const std::vector<std::string>& package_path,
+                              const RunControl& control) {
   const std::string processed = restOfLine(xacro.errors, "when processing file: "), source = processed.empty() ? path : processed;
   const std::string package = restOfLine(xacro.errors, "resource not found: ");
   if (!package.empty()) {
@@ -109,17 +140,21 @@ std::string runWith(const std::string& argument, const fs::path& file) {
                                                  "' includes, was not found: install it and source its workspace, or give its folder, " +
                                                  "or the one above, with --package-path DIR");
   }
-  const std::string argument = restOfLine(xacro.errors, "Undefined substitution argument ");
-  if (!argument.empty()) {
-    throw Error(ErrorCode::kNotARobot, "'" + path + "' needs a value for the argument '" + argument + "', which '" + source +
-                                           "' uses and which has no default: " + runWith(argument, fs::absolute(path)));
+  const std::vector<std::string> arguments = argumentsWithoutValue(path, xacro, package_path, control);
+  if (arguments.size() == 1) {
+    throw Error(ErrorCode::kNotARobot, "'" + path + "' needs a value for the argument '" + arguments.front() + "', which '" + source +
+                                           "' uses and which has no default: " + runWith(arguments, path));
+  }
+  if (!arguments.empty()) {
+    throw Error(ErrorCode::kNotARobot, "'" + path + "' needs values for the arguments " + "'" + listed(arguments, "', '") + "'" +
+                                           ", which have no defaults: " + runWith(arguments, path));
   }
   if (xacro.errors.find("xacro:arg: missing attribute 'default'") != std::string::npos) {
     const std::string name = argumentWithoutDefault(source, control);
     throw Error(ErrorCode::kNotARobot, "'" + path + "' cannot be expanded: the argument '" + name + "' in '" + source +
                                            "' has no default, without which xacro takes no value for it either. Add default=\"\" to its "
                                            "<xacro:arg>, " +
-                                           runWith(name, fs::absolute(path)));
+                                           runWith({name}, path));
   }
   const std::size_t skipped = xacro.errors.size() - std::min(xacro.errors.size(), kMostQuoted);
   throw Error(ErrorCode::kNotARobot, "'" + path + "': xacro failed with status " + std::to_string(xacro.status) +
@@ -129,9 +164,7 @@ std::string runWith(const std::string& argument, const fs::path& file) {
 }
 
 std::string expandXacro(const std::string& path, const std::vector<std::string>& package_path, const RunControl& control) {
-  const fs::path file = fs::absolute(path);  // so that no file's name looks like an option
-  const std::optional<ProgramResult> xacro =
-      runProgram({"xacro", file.string()}, control, {}, {"ROS_PACKAGE_PATH=" + packagePathFor(file, package_path)});
+  const std::optional<ProgramResult> xacro = runXacro(path, {}, package_path, control);
   if (!xacro) {
     throw Error(ErrorCode::kXacroMissing,
                 "'" + path + "' is a xacro file, but there is no program 'xacro' on PATH: install it " +
@@ -140,7 +173,7 @@ std::string expandXacro(const std::string& path, const std::vector<std::string>&
                     "or run 'xacro FILE.xacro > FILE.urdf' on a machine that has it, and give the .urdf");
   }
   if (xacro->status == 0) return xacro->out;
-  throwFailed(path, *xacro, control);
+  throwFailed(path, *xacro, package_path, control);
 }
 
 std::string expanded(const std::string& path, const std::vector<std::string>& package_path, const RunControl& control) {

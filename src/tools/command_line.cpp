@@ -204,7 +204,7 @@ std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const cha
 }
 
 void CommandLine::refuse(const std::string& problem) const {
-  throw Error(ErrorCode::kBadOption, problem + "; see " + program_ + " --help");
+  throw Error(ErrorCode::kBadOption, problem + (problem.back() == '?' ? " See " : "; see ") + program_ + " --help");
 }
 
 std::string CommandLine::nearest(const std::string& unknown) const {
@@ -214,6 +214,11 @@ std::string CommandLine::nearest(const std::string& unknown) const {
   return didYouMean("--" + unknown.substr(std::min(unknown.find_first_not_of('-'), unknown.size())), names);
 }
 
+std::string CommandLine::forXacro(const std::string& argument) {
+  if (argument.find(":=") == std::string::npos) return "";
+  return ": give it to xacro itself, as in 'xacro FILE.xacro " + argument + " > FILE.urdf', and give the .urdf";
+}
+
 void CommandLine::apply(const Option& option, const Texts& texts) const {
   const std::string name = (option.positional_ ? "" : "--") + option.name_;
   if (!option.takes_value_) {
@@ -221,7 +226,7 @@ void CommandLine::apply(const Option& option, const Texts& texts) const {
     return;
   }
   if (texts.size() > 1 && !option.repeatable_)
-    refuse(option.positional_ ? "unexpected argument '" + texts[1] + "'"
+    refuse(option.positional_ ? "unexpected argument '" + texts[1] + "'" + forXacro(texts[1])
                               : name + " is given twice: '" + texts[0] + "' and '" + texts[1] + "'");
   for (const std::string& text : texts) {
     std::string expected = option.check_ ? option.check_(text) : "";

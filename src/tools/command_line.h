@@ -88,6 +88,7 @@ class CommandLine {
   Option* add(const std::string& names, const std::string& help);
   std::map<std::string, Texts> split(int argc, const char* const* argv) const;
   [[noreturn]] void refuse(const std::string& problem) const;
+  static std::string forXacro(const std::string& argument);  ///< what to do with NAME:=VALUE
   std::string nearest(const std::string& unknown) const;
   bool isOption(const std::string& word) const;
   void apply(const Option& option, const Texts& texts) const;

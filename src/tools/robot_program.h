@@ -54,7 +54,8 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   const bool written = writeEverything(result, command, output, control);
 
   endOnSignals();
-  printReport(result, command, written ? howToUse(result, output) + howToLoad(command.consumers, result, output) : "");
+  printReport(result, command,
+              written ? howToUse(result, output, command.package_path) + howToLoad(command.consumers, result, output) : "");
   if (!anyFailed(result.report)) return kDone;
   return result.single_mesh ? kWrongUse : kSomeFailed;
 }

@@ -8,6 +8,7 @@
 #include "base/shell_word.h"
 #include "collision_hulls/pipeline/input.h"
 #include "decompose_options.h"
+#include "report/largest_tolerance.h"
 #include "storage/files.h"
 #include "terminal_program.h"
 
@@ -75,7 +76,9 @@ void addOptions(CommandLine& app, Command& command) {
 
 std::optional<double> gate(const std::string& text, const std::string& option) {
   if (text.empty()) return std::nullopt;
-  return parseMetresOrZero(text, option);
+  const double metres = parseMetresOrZero(text, option);
+  expectUnit(option, metres);
+  return metres;
 }
 
 void interpret(Command& command) {

@@ -92,6 +92,16 @@ std::string pairLines(const Verification& verification) {
 }
 
 /// Why rows are not ok, one a line.
+/// Those that no query asks for.
+std::string unqueried(const Verification& verification) {
+  const auto is_one_sided = [](const LinkVerification& row) {
+    return row.status == LinkStatus::kMissing || row.status == LinkStatus::kAdded;
+  };
+  const auto count = static_cast<std::size_t>(std::count_if(verification.links.begin(), verification.links.end(), is_one_sided));
+  if (count == 0) return "";
+  return "Not queried: " + counted(count, "link") + " with geometry on one side alone.\n";
+}
+
 std::string reasons(const Verification& verification) {
   std::string text;
   for (const LinkVerification& row : verification.links)
@@ -109,6 +119,7 @@ std::string toTable(const Verification& verification) {
   return aligned(rows, kTextColumns) + counted(verification.configurations, "configuration") + ", " +
          counted(verification.queries, "query", "queries") + ": RESULT missed " + std::to_string(verification.missed) + " of " +
          counted(verification.hits, "collision") + ", and has " + std::to_string(verification.phantom) + " that ORIGINAL does not have.\n" +
+         unqueried(verification) +
          "Uncovered: the furthest that ORIGINAL's surface is from RESULT. Protrusion: the furthest that RESULT is from ORIGINAL's solid. "
          "Both "
          "are proved upper bounds; \"found\" is the largest seen.\n" +

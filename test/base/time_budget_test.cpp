@@ -54,6 +54,40 @@ TEST(TimeBudget, WhatATaskSavesTheOthersHave) {
   EXPECT_NEAR(time.until(budget.begin(1)), 9, 1e-9);
 }
 
+TEST(TimeBudget, TasksThatNeedMoreShareTheRestByWhatTheyHad) {
+  Stopped time;
+  TimeBudget budget(20, {1, 2, 7}, 1, time.clock());
+  for (std::size_t task = 0; task < 3; ++task) {
+    budget.begin(task);
+    time.pass(task == 2 ? 1 : 2 + 2 * static_cast<double>(task));  // the last leaves most of its share
+    budget.finish(task);
+  }
+  EXPECT_EQ(budget.again({0, 1}), (std::vector<std::size_t>{0, 1}));
+  EXPECT_NEAR(time.until(budget.begin(0)), 13 / 3.0, 1e-9) << "of 13 s, for 2 s and 4 s";
+  time.pass(4);
+  budget.finish(0);
+  EXPECT_NEAR(time.until(budget.begin(1)), 9, 1e-9);
+}
+
+TEST(TimeBudget, NobodyBeginsAgainForHardlyMore) {
+  Stopped time;
+  TimeBudget budget(10, {4, 6}, 1, time.clock());
+  for (std::size_t task = 0; task < 2; ++task) {
+    budget.begin(task);
+    time.pass(task == 0 ? 4 : 0.1);
+    budget.finish(task);
+  }
+  EXPECT_EQ(budget.again({0}), std::vector<std::size_t>()) << "5.9 s for 4 s";
+  EXPECT_EQ(budget.again({}), std::vector<std::size_t>());
+  EXPECT_EQ(TimeBudget(0, {1}, 1).again({0}), std::vector<std::size_t>()) << "no limit cuts anything";
+  time.pass(20);
+  TimeBudget over(1e-9, {1}, 1, time.clock());
+  time.pass(1);
+  over.begin(0);
+  over.finish(0);
+  EXPECT_EQ(over.again({0}), std::vector<std::size_t>()) << "nothing is more than nothing";
+}
+
 TEST(TimeBudget, ATaskThatNeverBeganCostsNothing) {
   Stopped time;
   TimeBudget budget(10, {5, 5}, 1, time.clock());

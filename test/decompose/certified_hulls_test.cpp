@@ -156,6 +156,9 @@ TEST(CertifiedHulls, CoverTheMeshAsGivenAndNotAsWelded) {
   EXPECT_EQ(uncovered(mesh, result.hulls), 0);
   EXPECT_GE(result.nudge, moved);
   EXPECT_GE(result.bound, result.found + moved);
+  const CertifiedHulls loose = certifiedHulls(mesh, within(result.found + moved / 2));
+  EXPECT_FALSE(loose.within_tolerance);
+  EXPECT_NE(loose.reason.find("no point was found further out than "), std::string::npos) << loose.found << " " << loose.reason;
 }
 
 // Single precision is coarse far from the origin. What rounding adds there is not known beforehand, so the first attempt exceeds the

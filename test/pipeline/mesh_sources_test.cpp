@@ -56,6 +56,19 @@ TEST_F(MeshSources, CollisionMeshesThatAreAllConvexAreToldIfThereIsMoreToSee) {
   EXPECT_EQ(told(collision("box.obj")), 0u) << "nothing else to see";
   EXPECT_EQ(told(collision("box.obj") + collision("channel.obj") + visual("bracket.obj")), 0u) << "one has several hulls";
   EXPECT_EQ(told(visual("box.obj") + visual("bracket.obj")), 0u);
+  options_.tolerance = parseLength("90%");
+  EXPECT_EQ(told(collision("channel.obj") + visual("bracket.obj")), 0u) << "far from convex";
+}
+
+TEST_F(MeshSources, LinksThatGainHullsBesideOthersThatCollideAreTold) {
+  const auto told = [&](const std::string& links) { return fixtures::joined(run(links).report.notes); };
+  const std::string base = link("base", collision("bracket.obj")), tip = link("tip", visual("box.obj"), "base");
+  const std::string one =
+      "1 link has no <collision> elements, and gets hulls of its visual meshes: tip; --source collision leaves it without";
+  EXPECT_EQ(count(told(base + tip), one), 1u) << told(base + tip);
+  EXPECT_EQ(count(told(link("base", visual("bracket.obj")) + tip), "no <collision>"), 0u) << "none collides: it is what the run is for";
+  options_.source = Source::kVisual;
+  EXPECT_EQ(count(told(base + tip), "no <collision>"), 0u) << "it was asked for";
 }
 
 // Some descriptions mark places with them; a collision element without a size is one that simulators refuse.

@@ -218,6 +218,10 @@ TEST(HowToUse, AsTheUrisWantIt) {
   result.urdf =
       R"(<robot name="My Arm"><link name="l"><visual><geometry><mesh filename="package://arm_description/l.stl"/></geometry></visual></link></robot>)";
   expect({"export ROS_PACKAGE_PATH=" + folder.path().string() + ":" + folder.path().string() + "/robots:$ROS_PACKAGE_PATH"}, {});
+  result.report.input_path = folder / "elsewhere/arm.urdf";
+  const std::string others = folder.path().string() + "/robots:$ROS_PACKAGE_PATH";
+  EXPECT_EQ(howToUse(result, out).find(others), std::string::npos) << "where it lies, nobody knows";
+  EXPECT_NE(howToUse(result, out, {folder / "robots"}).find(others), std::string::npos) << howToUse(result, out, {folder / "robots"});
   setenv("ROS_PACKAGE_PATH", (folder.path().string() + "/robots").c_str(), 1);
   expect({export_line}, {"/robots"});
   unsetenv("ROS_PACKAGE_PATH");

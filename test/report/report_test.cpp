@@ -142,7 +142,7 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
             "total  3 meshes of 2 links         24      6         2        48              333                      1.50  1 ok, 1 "
             "degraded, 1 failed");
   EXPECT_EQ(table[5].rfind("The hulls cover the whole surface of each mesh that has not failed, and no point", 0), 0u) << table[5];
-  EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.");
+  EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where no more is known.");
   EXPECT_EQ(table[8], "degraded: upper, upper.stl: too far");
   EXPECT_EQ(table[9],
             "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "

@@ -98,6 +98,22 @@ TEST(ReadDescription, XacroLacksAnArgument) {
   expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm_2.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
 }
 
+// xacro names one argument at a time.
+TEST(ReadDescription, XacroLacksSeveralArguments) {
+  const TemporaryFolder folder;
+  writeProgram(
+      folder, "xacro",
+      "for name in side prefix; do case \"$*\" in *\" $name:=0\"*) ;; *) echo \"Undefined substitution argument $name\" >&2; exit 2 ;; "
+      "esac; done; echo 'side is not a number' >&2; exit 2");
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  folder.write("urdf/here", "");
+  const std::string file = folder.write("arm.xacro", kUrdf);
+  expectError(ErrorCode::kNotARobot,
+              {"needs values for the arguments 'side', 'prefix', which have no defaults",
+               "\n  xacro " + file + " side:=VALUE prefix:=VALUE > " + folder.path("arm.urdf") + "\n"},
+              [&] { readRobotDescription(folder.path("urdf") + "/../arm.xacro"); });
+}
+
 // xacro appends a blank where the argument stands in a property.
 TEST(ReadDescription, XacroLacksAnArgumentOfAnExpression) {
   const TemporaryFolder folder;

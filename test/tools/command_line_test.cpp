@@ -36,7 +36,7 @@ class CommandLineTest : public ::testing::Test {
       ADD_FAILURE() << "accepted; expected the message: " << message;
     } catch (const Error& e) {
       EXPECT_EQ(e.code(), ErrorCode::kBadOption);
-      EXPECT_EQ(e.what(), message + "; see program --help");
+      EXPECT_EQ(e.what(), message + (message.back() == '?' ? " See program --help" : "; see program --help"));
     }
   }
 
@@ -108,6 +108,9 @@ TEST_F(CommandLineTest, AnOptionIsNotAValue) {
 TEST_F(CommandLineTest, WhatIsMissingOrTooMuchIsNamed) {
   expectRefused({}, "INPUT is required");
   expectRefused({"in", "another"}, "unexpected argument 'another'");
+  expectRefused(
+      {"in", "hand:=true"},
+      "unexpected argument 'hand:=true': give it to xacro itself, as in 'xacro FILE.xacro hand:=true > FILE.urdf', and give the .urdf");
   expectRefused({"in", "-o", "a", "--output", "b"}, "--output is given twice: 'a' and 'b'");
   expectRefused({"in", "--output"}, "the required argument for option '--output' is missing");
   expectRefused({"in", "--quiet=1"}, "option '--quiet' does not take any arguments");

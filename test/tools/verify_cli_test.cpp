@@ -42,6 +42,8 @@ TEST_F(VerifyProgram, WrongUse) {
   expectWrongUse("bracket.obj nowhere.obj", {"nowhere.obj", "does not exist"});
   expectWrongUse("bracket.obj hulls.obj --max-uncovered 5furlongs", {"--max-uncovered", "5furlongs", "2cm"});
   expectWrongUse("bracket.obj hulls.obj --max-protrusion 1%", {"--max-protrusion"});
+  expectWrongUse("bracket.obj hulls.obj --max-protrusion 5", {"--max-protrusion '5m'", "did you mean 5mm?"});
+  expectWrongUse("bracket.obj hulls.obj --close-openings 50", {"--close-openings '50m'"});
   expectWrongUse("bracket.obj hulls.obj --source colision", {"--source", "colision", "visual"});
   expectWrongUse("bracket.obj hulls.obj --links '['", {"--links"});
   fixtures::write(folder_ / "r.urdf", fixtures::robot("r", fixtures::link("a", "")));
@@ -104,6 +106,9 @@ TEST_F(VerifyProgram, LinksThatAGateRefusesAreSaidQuietly) {
   EXPECT_EQ(said("all.urdf less.urdf --max-uncovered 1mm", 1), "verify: b: RESULT has no collision geometry here\n");
   EXPECT_EQ(said("less.urdf all.urdf --max-protrusion 1mm", 1), "verify: b: ORIGINAL has no geometry here to compare with\n");
   EXPECT_EQ(said("all.urdf less.urdf --max-protrusion 1mm", 0), "");
+  const std::string line = "Not queried: 1 link with geometry on one side alone.\n";
+  EXPECT_NE(run("all.urdf less.urdf --configurations 3").out.find(line), std::string::npos);
+  EXPECT_EQ(run("all.urdf all.urdf --configurations 3").out.find("Not queried"), std::string::npos);
 }
 
 TEST_F(VerifyProgram, AMissingPackageIsSaidOnce) {

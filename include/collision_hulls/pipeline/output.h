@@ -23,8 +23,10 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
 void checkOutput(const std::string& output, const RunControl& control = {});
 
 /// How to use a written output, in lines for a terminal: where it is, how ROS finds it, and what
-/// loads it.
-std::string howToUse(const RobotResult& result, const std::string& output);
+/// loads it. `package_path`: where packages were found that ROS may not find, see
+/// defaultPackageFinder().
+std::string howToUse(const RobotResult& result, const std::string& output,
+                     const std::vector<std::string>& package_path = {});
 
 /// Writes the report alone, as JSON, in one rename; into a pipe at the pace of its reader, until
 /// the control is cancelled. Throws kUnwritableOutput.

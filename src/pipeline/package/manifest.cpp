@@ -73,13 +73,6 @@ std::string dependencies(const std::string& package, const RobotResult& result) 
   return lines;
 }
 
-/// Each after a space.
-std::string listed(const std::set<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += " " + name;
-  return list;
-}
-
 }  // namespace
 
 std::string packageXml(const std::string& package, const RobotResult& result, const RunControl& control) {
@@ -105,11 +98,11 @@ std::string cmakeLists(const std::string& package, const RobotResult& result) {
   }
   return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + package +
          ")\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
-         "install(DIRECTORY" +
-         listed(folders) +
+         "install(DIRECTORY " +
+         listed(folders, " ") +
          " DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
-         "install(FILES" +
-         listed(files) + " DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
+         "install(FILES " +
+         listed(files, " ") + " DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
 }
 
 }  // namespace collision_hulls

@@ -1,13 +1,21 @@
-"""Files that appear whole or not at all, and what they hold."""
+"""Files that appear whole or not at all, and what they hold; and what is told on the way."""
+import contextlib
 import hashlib
 import json
 import os
 import pathlib
+import sys
 
 
 MOST_MESH, MOST_TEXT = 1 << 30, 1 << 28  # [bytes] larger ones decompose does not read
 MOST_PATH = 4096  # [bytes] that Linux takes
 PIECE = 1 << 20  # [bytes]
+
+
+def tell(text, end="\n"):
+    """On standard error. That nobody reads it any more is no reason to stop."""
+    with contextlib.suppress(BrokenPipeError):
+        print(text, end=end, file=sys.stderr, flush=True)
 
 
 def encoded(text):

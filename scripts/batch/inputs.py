@@ -12,7 +12,7 @@ import pathlib
 import re
 import subprocess
 
-from files import MOST_PATH, files_below, sha256
+from files import MOST_PATH, files_below, sha256, tell
 
 MESHES = {".stl", ".dae", ".obj", ".off", ".ply", ".glb", ".gltf"}
 DESCRIPTIONS = {".urdf", ".xacro"}
@@ -59,11 +59,23 @@ def located(word, folder):
     return str(path) if os.path.exists(path) or "/" in word or path.suffix.lower() in MESHES | DESCRIPTIONS else word
 
 
+def note_left_out(folder, files, urdfs):
+    """.xacro files that no .urdf file was made from; many hold macros alone, so the user has to tell."""
+    made = {file.stem for file in urdfs}
+    left = [file for file in files if file.suffix.lower() == ".xacro" and pathlib.Path(file.stem).suffix not in {".srdf", ".sdf"}
+            and pathlib.Path(file.stem).stem not in made]
+    if left:
+        taken, not_taken = (f"{len(some)} .{kind} file{' is' if len(some) == 1 else 's are'}" for some, kind in ((urdfs, "urdf"), (left, "xacro")))
+        tell(f"note: of folder '{folder}', {taken} taken and {not_taken} not: give those that describe robots, such as '{left[0]}' may do, "
+             "as inputs of their own")
+
+
 def of_folder(folder, options, name):
     """The descriptions in a folder; without any, the package that it is; else its meshes."""
     files = sorted(file for file in files_below(folder) if not any(part.startswith(".") for part in file.relative_to(folder).parts))
     urdfs = [file for file in files if file.suffix.lower() == ".urdf"]
     if urdfs:
+        note_left_out(folder, files, urdfs)
         return [Item(str(file), options, name if len(urdfs) == 1 else "") for file in urdfs]
     if os.path.exists(folder / "package.xml"):
         return [Item(str(folder), options, name)]

@@ -1,10 +1,10 @@
 """What a terminal shows of a batch: how many are done with which status, rate, time left; and at its end what came of it."""
 import collections
-import contextlib
 import re
 import sys
 import time
 
+from files import tell
 from plan import row_of
 
 PERIOD = 0.5  # [s] between looks
@@ -15,12 +15,6 @@ def duration(seconds):
     if seconds < 90:
         return f"{seconds:.0f} s"
     return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
-
-
-def tell(text, end="\n"):
-    """On standard error. That nobody reads it any more is no reason to stop."""
-    with contextlib.suppress(BrokenPipeError):
-        print(text, end=end, file=sys.stderr, flush=True)
 
 
 def by_status(counts):

@@ -92,12 +92,27 @@ Input packageInput(const std::string& name, const std::string& folder, const Pac
   throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + commandsFor(found, command));
 }
 
+/// Of an output for a single mesh, the file with all hulls; empty for any other folder.
+std::string hullsOfMesh(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder / "report.json", error)) return "";
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string stem = at->path().stem().string(), ending = "_hulls";
+    if (isMeshFile(at->path().string()) && stem.size() > ending.size() && stem.compare(stem.size() - ending.size(), ending.size(), ending) == 0)
+      return at->path().string();
+  }
+  return "";
+}
+
 [[noreturn]] void throwNotFound(const std::string& input, bool package_tried, const CommandAround& command) {
   std::error_code error;
   const std::string place = fs::absolute(fs::path(".") / input, error).lexically_normal().string();  // empty: the working folder is gone
   if (!input.empty() && fs::is_directory(input, error)) {
     const FoundDescriptions below = robotDescriptionsBelow(input);
     const std::string none = below.cut_after == 0 ? "" : "it has no description" + cutShort(below) + "; ";
+    const std::string hulls = hullsOfMesh(input);
+    if (!hulls.empty())
+      throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is the output for a single mesh; give '" + hulls + "', which has all of its hulls");
     throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
                                               (below.files.empty() ? none + "give a package, a .urdf or .xacro file, or a mesh"
                                                                    : "it has " + commandsFor(below, command)));

@@ -110,14 +110,20 @@ class Judge {
   std::set<fs::path> included_;
 };
 
-/// Without files that are no robots, unless there is nothing else. Those that others include come last.
-std::vector<std::string> judged(const std::vector<std::string>& files, const fs::path& package) {
+/// Those that are robots. Those that others include come last.
+std::vector<std::string> robotsAmong(const std::vector<std::string>& files, const fs::path& package) {
   Judge judge(package);
   std::vector<std::string> descriptions;
   std::copy_if(files.begin(), files.end(), std::back_inserter(descriptions),
                [&](const std::string& file) { return judge.isDescription(file); });
   std::stable_partition(descriptions.begin(), descriptions.end(), [&](const std::string& file) { return !judge.isIncluded(file); });
-  return descriptions.empty() ? files : descriptions;
+  return descriptions;
+}
+
+/// The same, but all files where none is a robot.
+std::vector<std::string> judged(const std::vector<std::string>& files, const fs::path& package) {
+  const std::vector<std::string> robots = robotsAmong(files, package);
+  return robots.empty() ? files : robots;
 }
 
 /// The package that a file below `folder` lies in; `folder` itself where there is none.
@@ -163,7 +169,8 @@ std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) 
     }
   }
   if (isFile(fs::path(package_folder) / "report.json")) removeVariants(found);
-  return judged(found, package_folder);
+  const std::vector<std::string> robots = robotsAmong(found, package_folder);
+  return robots.empty() && !found.empty() ? robotDescriptionsBelow(package_folder).files : robots;  // macros alone may be there
 }
 
 FoundDescriptions robotDescriptionsBelow(const std::string& folder) {

@@ -49,6 +49,11 @@ TEST_F(OpenInput, NothingThere) {
   expectError("no/such", ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});
   expectError("no_such_package", ErrorCode::kPackageNotFound, {"no_such_package", "ROS_PACKAGE_PATH", folder_.path().string()});
   expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"folder '" + folder_.path().string() + "'", "no package.xml"});
+  fixtures::write(folder_ / "part/hull_0.stl", "");
+  const std::string hulls = fixtures::write(folder_ / "part/part_hulls.obj", "");
+  expectError(folder_ / "part", ErrorCode::kFileNotFound, {"no package.xml"});
+  fixtures::write(folder_ / "part/report.json", "{}");
+  expectError(folder_ / "part", ErrorCode::kFileNotFound, {"is the output for a single mesh; give '" + hulls + "'"});
 }
 
 TEST_F(OpenInput, NothingThereAndNoWorkingFolderEither) {

@@ -228,6 +228,8 @@ TEST_F(Packages, MacrosAreNoDescriptionOfTheirOwn) {
                 xacro("<xacro:property name='a' value='1'/><xacro:macro name='hand'><link name='l'/></xacro:macro>"));
   folder_.write("hand/urdf/materials.xacro", xacro("<material name='grey'/>"));
   EXPECT_EQ(robotDescriptionsIn(folder_.path("hand")).size(), 2u) << "there is nothing else";
+  const std::string left = folder_.write("hand/left/hand.urdf", "<robot name='left'><link name='l'/></robot>");
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("hand")), std::vector<std::string>{left}) << "elsewhere there is";
   const std::string hand = folder_.write("hand/urdf/hand.xacro", xacro("<xacro:include filename='hand_macro.xacro'/><xacro:hand/>"));
   const std::string plain = folder_.write("hand/urdf/plain.xacro", xacro("<xacro:if value='1'><link name='l'/></xacro:if>"));
   const std::string broken = folder_.write("hand/urdf/broken.xacro", "<robot");

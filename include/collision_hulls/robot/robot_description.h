@@ -172,7 +172,8 @@ bool isRelativeUri(const std::string& uri);
 
 /// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted;
 /// those that others include last), without files that hold nothing but what others include, such
-/// as macros, properties and materials, unless there is nothing else; for INPUT given as a package.
+/// as macros, properties and materials; where there are only such files, those of the whole
+/// package; for INPUT given as a package.
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
 
 /// The descriptions that a search found.

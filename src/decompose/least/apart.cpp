@@ -11,8 +11,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr int kMostLooks = 100;      // parts that are looked at
-constexpr double kFinest = 0.01;     // parts of a radius below this share of the tolerance are not halved
+constexpr int kMostLooks = 100;   // parts that are looked at
+constexpr int kMostUnproved = 8;  // middles that seem far enough outside, and near openings are not provably: where there are more, few are
+constexpr double kFinest = 0.01;  // parts of a radius below this share of the tolerance are not halved
 constexpr double kRounding = 1e-12;  // of a distance, as a share of the coordinates: as in measure/protrusion.cpp
 
 template <std::size_t N>
@@ -52,7 +53,8 @@ Apart::Apart(const Solid& solid, double tolerance, double size)
 template <std::size_t N>
 bool Apart::search(const Corners<N>& points) const {
   std::vector<Part<N>> queue;
-  int near = -1;  // the triangle nearest to the last point
+  int near = -1;     // the triangle nearest to the last point
+  int unproved = 0;  // middles
   const auto isOutside = [&](const Corners<N>& corners) {
     const Eigen::Vector3d middle = middleOf(corners);
     double radius = 0;
@@ -61,7 +63,10 @@ bool Apart::search(const Corners<N>& points) const {
     near = nearest.triangle;
     if (nearest.distance + radius <= tolerance_) return false;
     const double distance = solid_.signedDistance(middle, nearest.distance);
-    if (distance > tolerance_ && solid_.isFurther(proved_, middle, nearest.distance)) return true;
+    if (distance > tolerance_) {
+      if (solid_.isFurther(proved_, middle, nearest.distance)) return true;
+      ++unproved;
+    }
     if (distance + radius > tolerance_ && radius > kFinest * tolerance_) {
       queue.push_back({corners, distance + radius});
       std::push_heap(queue.begin(), queue.end());
@@ -69,7 +74,7 @@ bool Apart::search(const Corners<N>& points) const {
     return false;
   };
   if (isOutside(points)) return true;
-  for (int looks = 1; looks < kMostLooks && !queue.empty(); looks += 2) {
+  for (int looks = 1; looks < kMostLooks && unproved < kMostUnproved && !queue.empty(); looks += 2) {
     std::pop_heap(queue.begin(), queue.end());
     const Corners<N> corners = queue.back().corners;
     queue.pop_back();

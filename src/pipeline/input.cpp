@@ -98,7 +98,8 @@ std::string hullsOfMesh(const fs::path& folder) {
   if (!fs::exists(folder / "report.json", error)) return "";
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string stem = at->path().stem().string(), ending = "_hulls";
-    if (isMeshFile(at->path().string()) && stem.size() > ending.size() && stem.compare(stem.size() - ending.size(), ending.size(), ending) == 0)
+    if (isMeshFile(at->path().string()) && stem.size() > ending.size() &&
+        stem.compare(stem.size() - ending.size(), ending.size(), ending) == 0)
       return at->path().string();
   }
   return "";
@@ -112,7 +113,8 @@ std::string hullsOfMesh(const fs::path& folder) {
     const std::string none = below.cut_after == 0 ? "" : "it has no description" + cutShort(below) + "; ";
     const std::string hulls = hullsOfMesh(input);
     if (!hulls.empty())
-      throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is the output for a single mesh; give '" + hulls + "', which has all of its hulls");
+      throw Error(ErrorCode::kFileNotFound,
+                  "folder '" + input + "' is the output for a single mesh; give '" + hulls + "', which has all of its hulls");
     throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
                                               (below.files.empty() ? none + "give a package, a .urdf or .xacro file, or a mesh"
                                                                    : "it has " + commandsFor(below, command)));

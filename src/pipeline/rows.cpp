@@ -27,6 +27,8 @@ constexpr std::size_t kManyInAll = 500;  // of a robot
 constexpr std::size_t kHullsOfShell = 8;
 constexpr double kHollow = 0.25;        // of the hulls' volume: shells have less inside
 constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
+constexpr double kNearlyAll = 0.9;      // of the vertices that hulls may have
+constexpr std::size_t kSeveral = 4;     // hulls of a mesh that might take one
 constexpr double kSmallestLink = 1e-3;  // [m] across
 constexpr double kFarRegion = 0.1;      // of a mesh's diagonal: a region may well stand beside the mesh, as a table does
 
@@ -228,6 +230,22 @@ void noteLooseParts(Report& report) {
                          std::to_string(first->hulls) + " hulls" + likeIt(others) + ": " + closing + "remove parts that nothing can touch");
 }
 
+/// A round body that one hull would do for takes several where each may have few vertices.
+void noteVertexLimit(Report& report) {
+  const Options& options = report.options;
+  if (options.max_vertices == 0 || options.effort == Effort::kInstant) return;
+  const auto is_limited = [&](const ElementReport& row) {
+    const double most = static_cast<double>(options.max_vertices) * static_cast<double>(row.hulls);
+    return followsTolerance(row) && row.padding == 0 && row.untried.empty() && row.hulls >= kSeveral && row.least_hulls == 1 &&
+           static_cast<double>(row.hull_vertices) >= kNearlyAll * most;
+  };
+  const auto [first, others] = firstAndOthers(report, is_limited);
+  if (!first) return;
+  report.notes.push_back("'" + first->uri + "' took " + counted(first->hulls, "hull") +
+                         " with nearly as many vertices each as they may have (" + std::to_string(options.max_vertices) + ")" +
+                         likeIt(others) + ": with more, as in --max-vertices 256, or without a limit (0), far fewer may do");
+}
+
 /// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Closing a
 /// body that has most of its inside already changes little, and wider openings than the option takes stay open.
 void noteOpenShells(Report& report) {
@@ -341,6 +359,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
     noteCoarserThanDefault(result.report);
     noteManyHulls(result.report);
     noteLooseParts(result.report);
+    noteVertexLimit(result.report);
     noteOpenShells(result.report);
   }
   noteClosedOpenings(result.report);

@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
   RobotCommand command;
   command.program = "decompose";
   command.to_wait_less =
-      "This takes long. To wait less, press Ctrl-C and give a larger tolerance, such as -t 5%, or --effort instant, or --time-limit 1min.";
+      "This takes long. To finish sooner, press Ctrl-C and give a larger tolerance, such as -t 5%, or --effort instant, or --time-limit "
+      "1min.";
   CommandLine app("Decomposes the meshes of a robot into convex hulls that cover them, and writes them with a description that uses them.",
                   command.program);
   app.footer(kFooter);

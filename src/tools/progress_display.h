@@ -1,5 +1,5 @@
 // Progress on standard error: a bar on a terminal; elsewhere a line at once, and another every few seconds. Once it is clear that the run
-// takes minutes, a line says how to wait less.
+// takes minutes, a line says how to finish sooner.
 #pragma once
 
 #include <sys/ioctl.h>

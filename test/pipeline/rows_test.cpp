@@ -171,6 +171,24 @@ TEST(PutTogether, NotesVeryManyHullsInAll) {
   EXPECT_TRUE(notes(0).empty()) << "500 in all";
 }
 
+TEST(PutTogether, NotesMeshesThatTheLimitOnVerticesDivides) {
+  const auto notes = [](std::size_t hulls, std::size_t vertices, std::size_t least, int limit = 64) {
+    MeshResult mesh = boxes(hulls);
+    mesh.model.hull_vertices = vertices;
+    mesh.model.least_hulls = least;
+    RobotResult result;
+    result.report.options.max_vertices = limit;
+    putTogether({use("a")}, {shared(mesh)}, result);
+    return result.report.notes;
+  };
+  EXPECT_EQ(notes(4, 248, 1), std::vector<std::string>{"'a.stl' took 4 hulls with nearly as many vertices each as they may have (64): with "
+                                                       "more, as in --max-vertices 256, or without a limit (0), far fewer may do"});
+  EXPECT_TRUE(notes(4, 230, 1).empty()) << "the limit hardly matters";
+  EXPECT_TRUE(notes(4, 248, 2).empty()) << "one would not do";
+  EXPECT_TRUE(notes(3, 192, 1).empty()) << "there is little to gain";
+  EXPECT_TRUE(notes(4, 248, 1, 0).empty()) << "there is no limit";
+}
+
 TEST(PutTogether, NotesMeshesOfManyLooseParts) {
   const auto notes = [](std::size_t parts, std::size_t hulls, std::size_t uses, std::size_t openings = 0) {
     MeshResult mesh = boxes(hulls);

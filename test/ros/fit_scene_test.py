@@ -63,12 +63,13 @@ class FitSceneTest(unittest.TestCase):
         self.assertIn("<robot", response.srdf)
 
     def test_parameters_of_the_other_job_do_not_matter(self):
-        others = {"method": "hacd", "segments": True, "tree": "1cm", "time_limit": "9s", "padding": "1cm"}
-        for name, value in others.items():
-            rospy.set_param(f"{NODE}/{name}", value)
-            self.addCleanup(rospy.delete_param, f"{NODE}/{name}")
-        response = self.fit()
-        self.assertTrue(response.success, response.message)
+        for others in {"method": "hacd", "segments": True}, {"padding": "1cm", "time_limit": "9s"}, {"tree": "1cm"}, {"shapes": "sphere"}:
+            for name, value in others.items():
+                rospy.set_param(f"{NODE}/{name}", value)
+            response = self.fit()
+            for name in others:
+                rospy.delete_param(f"{NODE}/{name}")
+            self.assertTrue(response.success, f"{others}: {response.message}")
 
     def test_brief(self):
         response = self.fit(brief=True)

@@ -93,6 +93,8 @@ TEST(Trials, EveryConfigurationCountsWhateverTheirNumber) {
   EXPECT_GT(more.all.hits, 2 * thousand.all.hits);
   EXPECT_LT(more.all.hits, 3 * thousand.all.hits);
   EXPECT_GT(more.of_link[1].missed, 2 * thousand.of_link[1].missed);
+  const Trials few = tryConfigurations(twoLinks(), links, 500, 1);
+  EXPECT_NE(more.all.hits, 2 * thousand.all.hits + few.all.hits) << "the same configurations again";
 }
 
 TEST(Trials, CountsEachPairOfLinksWithoutTheBoxes) {

@@ -80,6 +80,14 @@ TEST(TimeBudget, NobodyBeginsAgainForHardlyMore) {
   EXPECT_EQ(budget.again({0}), std::vector<std::size_t>()) << "5.9 s for 4 s";
   EXPECT_EQ(budget.again({}), std::vector<std::size_t>());
   EXPECT_EQ(TimeBudget(0, {1}, 1).again({0}), std::vector<std::size_t>()) << "no limit cuts anything";
+  TimeBudget two(16, {1, 1, 2}, 1, time.clock());
+  for (std::size_t task = 0; task < 3; ++task) {
+    two.begin(task);
+    time.pass(task < 2 ? 4 : 1);
+    two.finish(task);
+  }
+  EXPECT_EQ(two.again({0, 1}), std::vector<std::size_t>()) << "7 s for 8 s";
+  EXPECT_EQ(two.again({0}), std::vector<std::size_t>{0}) << "7 s for 4 s";
   time.pass(20);
   TimeBudget over(1e-9, {1}, 1, time.clock());
   time.pass(1);

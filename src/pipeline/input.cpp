@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/counted.h"
+#include "base/nearest_name.h"
 #include "base/shell_word.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
@@ -105,6 +106,20 @@ std::string hullsOfMesh(const fs::path& folder) {
   return "";
 }
 
+/// What to do about a file that is not there: its folder may have one of nearly that name.
+std::string meantBy(const fs::path& file) {
+  constexpr int kMostEntries = 1000;
+  std::vector<std::string> names;
+  std::error_code error;
+  int entries = 0;
+  for (fs::directory_iterator at(fs::path(".") / file.parent_path(), error), end; !error && at != end && ++entries < kMostEntries;
+       at.increment(error))
+    if (isRobotFile(at->path().string()) || isMeshFile(at->path().string())) names.push_back(at->path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::string meant = didYouMean(file.filename().string(), names);
+  return meant.empty() ? "; check the path" : meant;
+}
+
 [[noreturn]] void throwNotFound(const std::string& input, bool package_tried, const CommandAround& command) {
   std::error_code error;
   const std::string place = fs::absolute(fs::path(".") / input, error).lexically_normal().string();  // empty: the working folder is gone
@@ -115,14 +130,14 @@ std::string hullsOfMesh(const fs::path& folder) {
     if (!hulls.empty())
       throw Error(ErrorCode::kFileNotFound,
                   "folder '" + input + "' is the output for a single mesh; give '" + hulls + "', which has all of its hulls");
-    throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
-                                              (below.files.empty() ? none + "give a package, a .urdf or .xacro file, or a mesh"
-                                                                   : "it has " + commandsFor(below, command)));
+    throw Error(ErrorCode::kFileNotFound,
+                "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
+                    (below.files.empty() ? none + "give a package, a .urdf or .xacro file, or a mesh; 'batch' takes folders of meshes"
+                                         : "it has " + commandsFor(below, command)));
   }
   if (isRobotFile(input) || isMeshFile(input))
-    throw Error(
-        ErrorCode::kFileNotFound,
-        "'" + input + "' does not exist" + (place == input || place.empty() ? "" : " (looked for '" + place + "')") + "; check the path");
+    throw Error(ErrorCode::kFileNotFound, "'" + input + "' does not exist" +
+                                              (place == input || place.empty() ? "" : " (looked for '" + place + "')") + meantBy(input));
   const std::string text = "INPUT '" + input + "' is neither a file nor the folder of a package ('" + place + "')";
   if (!package_tried) throw Error(ErrorCode::kFileNotFound, text + "; check the path");
   const char* const packages = std::getenv("ROS_PACKAGE_PATH");
@@ -138,6 +153,8 @@ Input openInput(const std::string& input, const PackagePath& package_path, const
                 const std::string& options) {
   const CommandAround command{program, options};
   std::error_code error;
+  if (packageOf(input))
+    return openInput(resolveUri(input, "", defaultPackageFinder("", package_path)), package_path, program, control, options);
   if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error))
     return packageInput(input, input, package_path, command, control);
   if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, package_path, control);

@@ -49,11 +49,22 @@ TEST_F(OpenInput, NothingThere) {
   expectError("no/such", ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});
   expectError("no_such_package", ErrorCode::kPackageNotFound, {"no_such_package", "ROS_PACKAGE_PATH", folder_.path().string()});
   expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"folder '" + folder_.path().string() + "'", "no package.xml"});
+  expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"'batch' takes folders of meshes"});
+  fixtures::write(folder_ / "link_1.stl", "");
+  expectError(folder_ / "linl_1.stl", ErrorCode::kFileNotFound, {"linl_1.stl' does not exist; did you mean 'link_1.stl'?"});
+  expectError(folder_ / "wheel.stl", ErrorCode::kFileNotFound, {"wheel.stl' does not exist; check the path"});
   fixtures::write(folder_ / "part/hull_0.stl", "");
   const std::string hulls = fixtures::write(folder_ / "part/part_hulls.obj", "");
   expectError(folder_ / "part", ErrorCode::kFileNotFound, {"no package.xml"});
   fixtures::write(folder_ / "part/report.json", "{}");
   expectError(folder_ / "part", ErrorCode::kFileNotFound, {"is the output for a single mesh; give '" + hulls + "'"});
+}
+
+TEST_F(OpenInput, AFileOfAPackageByItsUri) {
+  addPackage("arm");
+  addRobot("arm/urdf/arm.urdf");
+  EXPECT_EQ(openInput("package://arm/urdf/arm.urdf").robot.path, folder_ / "arm/urdf/arm.urdf");
+  expectError("package://leg/urdf/leg.urdf", ErrorCode::kPackageNotFound, {"package 'leg'"});
 }
 
 TEST_F(OpenInput, NothingThereAndNoWorkingFolderEither) {

@@ -105,6 +105,19 @@ def of_list(path):
     return [item for line in lines if line and not line.startswith("#") for item in of_word(line, path.parent, {})]
 
 
+def merged(given, of_row):
+    """The options of an input: a manifest's row counts before the command line; None is a flag that it takes away."""
+    return {name: values for name, values in {**given, **of_row}.items() if values is not None}
+
+
+def is_set(flag, value, where):
+    if value.lower() in {"yes", "true", "1"}:
+        return True
+    if value.lower() in {"no", "false", "0"}:
+        return False
+    raise Failure(f"{where}: {flag} is '{value}'; it is yes or no")
+
+
 def of_manifest(path, known):
     rows = csv.DictReader(io.StringIO(text_of(path), newline=""), strict=True)
     items = []
@@ -116,7 +129,8 @@ def of_manifest(path, known):
         for row in rows:
             if not row["input"]:
                 raise Failure(f"'{path}', line {rows.line_num}: no input")
-            options = {name: [absolute(name, value, path.parent) if known[name][1] else ""]
+            where = f"'{path}', line {rows.line_num}"
+            options = {name: [absolute(name, value, path.parent)] if known[name][1] else [""] if is_set(name, value, where) else None
                        for name, value in row.items() if name in known and value}
             items += of_word(row["input"], path.parent, options, row.get("name") or "")
     except csv.Error as error:

@@ -14,6 +14,7 @@ import shutil
 import urllib.parse
 
 from files import MOST_PATH, encoded, entries_of, files_below, read_json, read_text, sha256, write_json
+from inputs import merged
 
 JOB_SECONDS = 180  # about what a job of meshes takes
 JOB_MESHES = 200  # at most
@@ -150,7 +151,7 @@ def plan_of(items, given, digests, version):
     sources = Sources(digests)
     entries = []
     for item in items:
-        options = {**given, **item.options}  # a manifest's row counts before the command line
+        options = merged(given, item.options)
         entries.append({"name": item.name, "input": item.path, "kind": "mesh" if item.is_mesh() else "description", "options": options,
                         "folder": folder_of(item), "fingerprint": sources.fingerprint(item, options, version), "seconds": seconds(item)})
     return entries

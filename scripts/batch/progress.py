@@ -79,7 +79,7 @@ def kinds(rows):
 def summary(rows, done, output):
     """A few lines: how many of what, failures by reason, where it is."""
     first = f"{done} input{'s' * (done != 1)} done" if done == len(rows) else f"{done} of {len(rows)} inputs done; all others are as they were"
-    lines = [first if done else f"nothing to do: all {len(rows)} inputs are as they were"]
+    lines = [first if done else f"nothing to do: {len(rows)} input{'s are as they were' if len(rows) != 1 else ' is as it was'}"]
     for what, items in (("inputs", rows), ("meshes", [mesh for row in rows for mesh in row["meshes"]])):
         lines.append(f"{what}: {len(items)}{by_status(collections.Counter(item['status'] for item in items))}")
     lines += [f"  {number} {kind}" for kind, number in kinds(rows)]

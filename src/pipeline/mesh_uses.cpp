@@ -80,7 +80,8 @@ std::vector<std::string> notesOnNew(const RobotDescription& robot, const LinkDec
   names.resize(names.size() - more);
   return {counted(names.size() + more, "link has", "links have") + " no <collision> elements, and " + (one ? "gets" : "get") +
           " hulls of " + (one ? "its" : "their") + " visual meshes: " + listed(names) +
-          (more > 0 ? " and " + std::to_string(more) + " more" : "") + "; --source collision leaves " + (one ? "it" : "them") + " without"};
+          (more > 0 ? " and " + std::to_string(more) + " more" : "") + "; --source collision leaves " + (one ? "it" : "them") +
+          " without collision geometry"};
 }
 
 bool haveCommon(const std::set<std::string>& a, const std::set<std::string>& b) {

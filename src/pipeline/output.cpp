@@ -200,8 +200,8 @@ void noteLost(const fs::path& folder, const std::set<std::string>& hulls, const 
                                  [&](const fs::path& file) { return *file.begin() == "meshes" && folders.count(file.parent_path()) == 0; });
   if (!report.options.links.empty() && lost != earlier->files.end())
     report.notes.push_back("the earlier output in '" + folder.string() + "' had hulls of links that this run leaves out, such as '" +
-                           lost->string() +
-                           "'; they are gone. To treat some links otherwise and keep the rest, use --config in place of --links");
+                           lost->string() + "'; they are gone. To treat some links otherwise and keep the rest, " +
+                           (report.options.links_place.empty() ? "use --config in place of --links" : "use 'links' in place of 'only'"));
   for (const fs::path& file : earlier->files) {
     if (file.extension() != ".srdf" || files.count(file.string()) > 0) continue;
     report.notes.push_back("the earlier output in '" + folder.string() + "' had '" + file.string() +

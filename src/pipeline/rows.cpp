@@ -115,9 +115,14 @@ std::pair<const ElementReport*, std::size_t> firstAndOthers(const Report& report
   return {&*first, static_cast<std::size_t>(std::count_if(first + 1, report.links.end(), is_true))};
 }
 
+/// Whether a row has hulls; of other meshes nothing is known.
+bool isDone(const ElementReport& row) {
+  return row.status == Status::kOk || row.status == Status::kDegraded;
+}
+
 /// URDF and most mesh formats mean metres; a mesh that is larger than any robot link was probably drawn in millimetres.
 void noteHugeMeshes(Report& report) {
-  const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kLargestLink; };
+  const auto is_huge = [](const ElementReport& row) { return isDone(row) && row.diagonal > kLargestLink; };
   const auto [first, others] = firstAndOthers(report, is_huge);
   if (!first) return;
   report.notes.push_back("'" + first->uri + "' is " + decimal(first->diagonal, 3) + " m across" +
@@ -129,7 +134,7 @@ void noteHugeMeshes(Report& report) {
 /// A scale of 0.001 is for meshes in millimetres; one in metres becomes smaller by it than any robot link.
 void noteTinyMeshes(Report& report) {
   const auto is_tiny = [](const ElementReport& row) {
-    return row.status != Status::kFailed && row.diagonal < kSmallestLink && row.scale.cwiseAbs().maxCoeff() < 1;
+    return isDone(row) && row.diagonal < kSmallestLink && row.scale.cwiseAbs().maxCoeff() < 1;
   };
   const auto [first, others] = firstAndOthers(report, is_tiny);
   if (!first) return;
@@ -140,7 +145,7 @@ void noteTinyMeshes(Report& report) {
 
 /// Whether a row has the hulls that a tolerance asked for.
 bool followsTolerance(const ElementReport& row) {
-  return (row.status == Status::kOk || row.status == Status::kDegraded) && row.method == Method::kCertified && row.shapes == Shapes::kHulls;
+  return isDone(row) && row.method == Method::kCertified && row.shapes == Shapes::kHulls;
 }
 
 /// A length alone, though finer than the default's, makes small meshes coarser than the default, which has a share as well. Links whose

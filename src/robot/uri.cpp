@@ -186,7 +186,7 @@ std::string remedyFor(const std::string& uri) {
   throw Error(ErrorCode::kFileNotFound,
               "'" + uri + "' resolves to '" + file + "', which does not exist" + nor +
                   (has_no_place ? "; it is relative, and the description came without a file name that it could be relative to "
-                                  "(parameter ~base of the node)"
+                                  "(base of a request to the node, or its parameter ~base)"
                                 : remedyFor(uri)));
 }
 

@@ -186,12 +186,13 @@ std::string Node::outputFor(const std::string& requested, const Input& input, co
   return output;
 }
 
-/// ~base belongs to the parameter's text: what a request brings comes from elsewhere, where other meshes may have the same names.
+/// ~base belongs to the parameter's text: what a request brings comes from elsewhere, where other meshes may have the same names. A
+/// request's own base counts in any case.
 RobotDescription Node::readRobot(const std::string& text, const std::string& base, const RunControl& control) const {
   std::string key, parameter;
   const bool has_parameter = node_.searchParam("robot_description", key) && node_.getParam(key, parameter);
+  checkBase(base);
   if (!text.empty() && (!base.empty() || text != parameter)) {
-    checkBase(base);
     refusePath(text);
     return parseRobotDescription(text, base, control);
   }
@@ -200,6 +201,7 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
                                               node_.resolveName("robot_description") + " is not set to a text; give either");
   }
   refusePath(parameter);
+  if (!base.empty()) return parseRobotDescription(parameter, base, control);
   const std::string own = textParameter(private_, "base");
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);
 }

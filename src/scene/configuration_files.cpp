@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/counted.h"
 #include "base/finite_number.h"
 #include "base/looks.h"
 #include "base/string_parts.h"
@@ -103,7 +104,7 @@ Columns columnsOf(const Cells& header, const std::string& where) {
 void addRow(const Columns& columns, const Cells& cells, const std::string& where, ConfigurationCollector& collector,
             const RunControl& control) {
   if (cells.size() != columns.header.size()) {
-    failConfigurations(where, std::to_string(cells.size()) + " cells, but the first line has " + std::to_string(columns.header.size()) +
+    failConfigurations(where, counted(cells.size(), "cell") + ", but the first line has " + std::to_string(columns.header.size()) +
                                   "; give each column a value");
   }
   Names names;

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/looks.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
@@ -45,8 +46,9 @@ class SrdfReader {
     dropEnabled();
     for (const XmlNode* element : root.childrenNamed("disable_collisions")) disable(pairOf(*element), element->attribute("reason"));
     if (left_out_ > 0) {
-      result_.notes.push_back(label_ + ": " + std::to_string(left_out_) + " pairs name links that the robot does not have, first '" +
-                              first_unknown_ + "'; these pairs are ignored");
+      result_.notes.push_back(label_ + ": " + counted(left_out_, "pair names", "pairs name") +
+                              " links that the robot does not have, first '" + first_unknown_ + "'; " +
+                              (left_out_ == 1 ? "it is" : "they are") + " left out");
     }
     return std::move(result_);
   }

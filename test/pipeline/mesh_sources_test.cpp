@@ -64,7 +64,8 @@ TEST_F(MeshSources, LinksThatGainHullsBesideOthersThatCollideAreTold) {
   const auto told = [&](const std::string& links) { return fixtures::joined(run(links).report.notes); };
   const std::string base = link("base", collision("bracket.obj")), tip = link("tip", visual("box.obj"), "base");
   const std::string one =
-      "1 link has no <collision> elements, and gets hulls of its visual meshes: tip; --source collision leaves it without";
+      "1 link has no <collision> elements, and gets hulls of its visual meshes: tip; --source collision leaves it without collision "
+      "geometry";
   EXPECT_EQ(count(told(base + tip), one), 1u) << told(base + tip);
   EXPECT_EQ(count(told(link("base", visual("bracket.obj")) + tip), "no <collision>"), 0u) << "none collides: it is what the run is for";
   options_.source = Source::kVisual;

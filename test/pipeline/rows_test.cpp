@@ -171,6 +171,16 @@ TEST(PutTogether, NotesVeryManyHullsInAll) {
   EXPECT_TRUE(notes(0).empty()) << "500 in all";
 }
 
+TEST(PutTogether, NothingIsKnownOfTheSizeOfKeptMeshes) {
+  MeshResult kept;
+  kept.status = Status::kKept;
+  MeshUse scaled = use("a");
+  scaled.source.scale = Eigen::Vector3d::Constant(0.001);
+  RobotResult result;
+  putTogether({scaled}, {shared(kept)}, result);
+  EXPECT_TRUE(result.report.notes.empty()) << result.report.notes.front();
+}
+
 TEST(PutTogether, NotesMeshesThatTheLimitOnVerticesDivides) {
   const auto notes = [](std::size_t hulls, std::size_t vertices, std::size_t least, int limit = 64) {
     MeshResult mesh = boxes(hulls);

@@ -295,6 +295,12 @@ std::vector<std::string> notesOnNoHulls(const Report& report) {
           (report.primitive_links == 1 ? "has its" : "have their") + " collision model, and the others keep their elements"};
 }
 
+/// Models have tolerances of their own, so that another one for all says nothing.
+std::vector<std::string> notesOnTolerance(const Options& options) {
+  if (options.models.empty() || toString(options.tolerance) == toString(Options().tolerance)) return {};
+  return {"the tolerance '" + toString(options.tolerance) + "' is not used: each model has its own"};
+}
+
 double meshesEnd(const Options& options) {
   return options.validate ? kMeshesShare : 1;
 }
@@ -319,6 +325,7 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   runStages({uses, resolverFor(robot, find_package, control), meshesEnd(options), control, step}, result, stages);
   result.report.primitive_links = primitiveLinks(robot, decisions.front());
   for (const std::string& note : notesOnNoHulls(result.report)) notes.push_back(note);
+  for (const std::string& note : notesOnTolerance(options)) notes.push_back(note);
   for (const std::string& note : notesOnConvex(robot, result.report.links)) notes.push_back(note);
   rewriteDescription(robot, decisions, find_package, output, notes, result, control);
   result.report.seconds = run.lap();

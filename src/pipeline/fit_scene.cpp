@@ -7,8 +7,11 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "base/counted.h"
+#include "base/decimal.h"
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -19,6 +22,7 @@
 #include "fit/enclosing.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
+#include "pipeline/mesh_result.h"
 #include "pipeline/run.h"
 #include "pipeline/stages.h"
 #include "storage/names.h"
@@ -351,6 +355,28 @@ void checkClearance(double clearance, const RobotDescription& robot) {
                                          "? Without a unit, a number is in metres");
 }
 
+/// [m] From the root's origin to the body's bounding box.
+double distanceTo(const SceneBody& body) {
+  Eigen::AlignedBox3d box;
+  const auto extend = [&](const auto& shape) {
+    for (const Eigen::Vector3d& p : shape.vertices) box.extend(body.pose * p);
+  };
+  std::visit(extend, body.shape);
+  return box.exteriorDistance(Eigen::Vector3d::Zero());
+}
+
+/// A scene in millimetres is a thousand times too far away.
+std::vector<std::string> notesOnFarScene(const Scene& scene, double clearance, const RobotDescription& robot) {
+  if (scene.bodies.empty()) return {};
+  std::vector<double> distances;
+  for (const SceneBody& body : scene.bodies) distances.push_back(distanceTo(body));
+  const auto nearest = std::min_element(distances.begin(), distances.end());
+  if (*nearest <= reachOf(robot) + kLargestLink + clearance) return {};
+  return {"no body of scene '" + scene.name + "' comes near the robot: the nearest, '" +
+          scene.bodies[static_cast<std::size_t>(nearest - distances.begin())].name + "', is " + decimal(*nearest, 3) +
+          " m from its root link; sizes and poses of a scene are in metres"};
+}
+
 /// Refuses padding and shapes; names the link unless all links have the same.
 void refuseLinkSettings(const RobotDescription& robot, const Options& options, const LinkDecisions& decisions) {
   for (const LinkDescription& link : robot.links) {
@@ -432,6 +458,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   if (decomposedUses(uses) == 0) throw Error(ErrorCode::kBadOption, notesOnUses(robot, decisions.front(), options).front());
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);
+  for (const std::string& note : notesOnFarScene(request.scene, request.clearance, robot)) notes.push_back(note);
   std::vector<DisabledPair> disabled;
   runStages({uses, resolverFor(robot, find_package, control), kTreesEnd, control, step}, result,
             [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, fit_options, notes, run); });

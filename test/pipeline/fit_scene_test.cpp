@@ -296,6 +296,16 @@ TEST_F(FitRobotToScene, SaysWhatMaxHullsKeeps) {
   }
 }
 
+TEST_F(FitRobotToScene, SaysThatTheSceneIsFarAway) {
+  const std::string note = "no body of scene '";
+  request_.scene.bodies = {{"shelf", boxShape({280, 960, 16}), at(580, 0, 40)}, {"floor", boxShape({1, 1, 1}), at(-600, 0, 0)}};
+  const RobotResult far = run(fixtures::link("base", bracket()));
+  EXPECT_TRUE(isNoted(far, note)) << fixtures::joined(far.report.notes);
+  EXPECT_TRUE(isNoted(far, "the nearest, 'shelf', is 441 m from its root link")) << fixtures::joined(far.report.notes);
+  request_.scene.bodies.push_back({"table", boxShape({1, 1, 1}), at(3, 0, 0)});
+  EXPECT_FALSE(isNoted(run(fixtures::link("base", bracket())), note));
+}
+
 TEST_F(FitRobotToScene, SaysThatTheRobotStandsInTheScene) {
   std::string turning = fixtures::link("tip", bracket(), "base");  // about x, with a leg of 0.2 m along y
   turning.replace(turning.find("fixed"), 5, "continuous");

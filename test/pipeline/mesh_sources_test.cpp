@@ -60,6 +60,15 @@ TEST_F(MeshSources, CollisionMeshesThatAreAllConvexAreToldIfThereIsMoreToSee) {
   EXPECT_EQ(told(collision("channel.obj") + visual("bracket.obj")), 0u) << "far from convex";
 }
 
+TEST_F(MeshSources, AToleranceThatNoModelHasIsTold) {
+  const auto told = [&] { return fixtures::joined(run(link("base", collision("box.obj"))).report.notes); };
+  options_.tolerance = Options().tolerance;
+  options_.models = {{"coarse", lengthOf(0.1)}, {"fine", lengthOf(0.02)}};
+  EXPECT_EQ(count(told(), "is not used"), 0u) << told();
+  options_.tolerance = parseLength("2mm");
+  EXPECT_EQ(count(told(), "the tolerance '2mm' is not used: each model has its own"), 1u) << told();
+}
+
 TEST_F(MeshSources, LinksThatGainHullsBesideOthersThatCollideAreTold) {
   const auto told = [&](const std::string& links) { return fixtures::joined(run(links).report.notes); };
   const std::string base = link("base", collision("bracket.obj")), tip = link("tip", visual("box.obj"), "base");

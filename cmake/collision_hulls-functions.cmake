@@ -7,6 +7,16 @@
 
 set(COLLISION_HULLS_PROGRAMS_DIR "${collision_hulls_DIR}/../../../lib/collision_hulls" CACHE INTERNAL "where collision_hulls' programs are")
 
+# Lists may be empty; what takes one value may not, as a gate would be gone with a variable that is not set.
+function(_collision_hulls_expect_values call missing)
+  if(missing)
+    list(REMOVE_ITEM missing PACKAGE_PATH OPTIONS DEPENDS)
+  endif()
+  if(missing)
+    message(FATAL_ERROR "${call}: ${missing} has no value; is it a variable that is not set?")
+  endif()
+endfunction()
+
 # What a program of collision_hulls is called in commands and, if it is built here, depended on by.
 function(_collision_hulls_program result name)
   if(TARGET ${name})
@@ -41,9 +51,7 @@ endfunction()
 # not change come from the cache. OPTIONS are those of decompose. The package that is built is found by its own name in URIs.
 function(collision_hulls_generate robot)
   cmake_parse_arguments(arg "" "CONFIG;OUTPUT;TARGET" "PACKAGE_PATH;OPTIONS;DEPENDS" ${ARGN})
-  if(arg_KEYWORDS_MISSING_VALUES)
-    message(FATAL_ERROR "collision_hulls_generate(${robot}): ${arg_KEYWORDS_MISSING_VALUES} without a value, as of a variable that is not set.")
-  endif()
+  _collision_hulls_expect_values("collision_hulls_generate(${robot})" "${arg_KEYWORDS_MISSING_VALUES}")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "collision_hulls_generate(${robot}): '${arg_UNPARSED_ARGUMENTS}' is not understood; options of decompose go after OPTIONS.")
   endif()
@@ -92,9 +100,7 @@ endfunction()
 # if something cannot be read. OPTIONS are those of verify.
 function(collision_hulls_add_test robot)
   cmake_parse_arguments(arg "" "RESULT;NAME;MAX_UNCOVERED;MAX_PROTRUSION" "PACKAGE_PATH;OPTIONS" ${ARGN})
-  if(arg_KEYWORDS_MISSING_VALUES)
-    message(FATAL_ERROR "collision_hulls_add_test(${robot}): ${arg_KEYWORDS_MISSING_VALUES} without a value, as of a variable that is not set.")
-  endif()
+  _collision_hulls_expect_values("collision_hulls_add_test(${robot})" "${arg_KEYWORDS_MISSING_VALUES}")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "collision_hulls_add_test(${robot}): '${arg_UNPARSED_ARGUMENTS}' is not understood; options of verify go after OPTIONS.")
   endif()

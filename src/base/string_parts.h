@@ -1,6 +1,7 @@
 // Trimming, shortening, listing, and extensions of file names.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,14 @@ std::string listed(const Texts& texts, const std::string& between = ", ") {
   std::string list;
   for (const std::string& text : texts) list += (list.empty() ? "" : between) + text;
   return list;
+}
+
+/// "a, b and 3 more": the first `most`.
+template <class Texts>
+std::string listedFirst(Texts texts, std::size_t most) {
+  const std::size_t more = texts.size() - std::min(most, texts.size());
+  texts.resize(texts.size() - more);
+  return listed(texts) + (more > 0 ? " and " + std::to_string(more) + " more" : "");
 }
 
 std::string inLowerCase(std::string text);  ///< ASCII letters

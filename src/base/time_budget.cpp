@@ -60,7 +60,12 @@ std::vector<std::size_t> TimeBudget::again(const std::vector<std::size_t>& tasks
   for (const std::size_t task : tasks)
     if (rest >= kWorthwhile * tasks_[task].granted) result.push_back(task), granted += tasks_[task].granted;
   if (threads_ * rest < kWorthwhile * granted) return {};
-  for (const std::size_t task : result) tasks_[task].cost = tasks_[task].granted, tasks_[task].state = State::kWaiting;
+  for (const std::size_t index : result) {
+    Task& task = tasks_[index];
+    task.cost = task.granted;
+    task.granted = rest;  // one that fails before it begins has had its turn
+    task.state = State::kWaiting;
+  }
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/in_context.h"
 #include "base/nearest_name.h"
+#include "base/string_parts.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "config/link_fields.h"
@@ -27,11 +28,9 @@ std::string at(const std::string& place) {
 }
 
 std::string linkNames(const RobotDescription& robot) {
-  std::string text;
-  const std::size_t shown = std::min(robot.links.size(), kNamesShown);
-  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + robot.links[i].name;
-  if (shown < robot.links.size()) text += " and " + std::to_string(robot.links.size() - shown) + " more";
-  return text;
+  std::vector<std::string> names;
+  for (const LinkDescription& link : robot.links) names.push_back(link.name);
+  return listedFirst(names, kNamesShown);
 }
 
 /// For a name that was misspelt, or a star as in a shell. Looks at nothing long, as comparing takes the product of two lengths.

@@ -12,6 +12,7 @@
 
 #include "base/counted.h"
 #include "base/parallel.h"
+#include "base/string_parts.h"
 #include "fit/planner_model.h"
 #include "scene/text.h"
 
@@ -64,13 +65,12 @@ std::optional<double> provedDistance(const FittedModel& model, std::size_t link)
 /// What a link may touch because the pair is left out, other than its neighbours across a joint.
 std::string leftOut(const FittedModel& model, std::size_t link) {
   const std::string& name = model.assembly.name(link);
-  std::string names;
-  std::size_t count = 0;
+  std::vector<std::string> names;
   for (const LeftOutPair& pair : model.rules.left_out) {
     if (pair.reason == "Adjacent" || (pair.first != name && !(pair.links && pair.second == name))) continue;
-    if (++count <= kMostNamed) names += (names.empty() ? "" : ", ") + (pair.first == name ? pair.second : pair.first);
+    names.push_back(pair.first == name ? pair.second : pair.first);
   }
-  return count <= kMostNamed ? names : names + " and " + std::to_string(count - kMostNamed) + " more";
+  return listedFirst(names, kMostNamed);
 }
 
 /// The bodies of a link, by kind.

@@ -224,7 +224,7 @@ StageSeconds sum(const StageSeconds& a, const StageSeconds& b) {
   return {a.read + b.read, a.repair + b.repair, a.decompose + b.decompose, a.certify + b.certify, a.write + b.write};
 }
 
-/// The same for a task that time cut short; its results are replaced by better ones.
+/// Steps 1 to 4 once more, for a task that time cut short; its results are replaced by better ones.
 void decomposeAgain(std::size_t index, HullCount& written, Run& run) {
   const MeshTask& task = run.tasks[index];
   std::vector<const MeshVariant*> cut;
@@ -246,6 +246,10 @@ void decomposeAgain(std::size_t index, HullCount& written, Run& run) {
   run.progress.finish(index);
 }
 
+double meshesEnd(const Options& options) {
+  return options.validate ? kMeshesShare : 1;
+}
+
 /// What a mesh needs is known only when it is done, so meshes that time cut short get what the others left of it.
 void useTimeLeft(HullCount& written, Run& run) {
   while (true) {
@@ -257,7 +261,7 @@ void useTimeLeft(HullCount& written, Run& run) {
     if (cut.empty()) return;
     std::vector<double> costs(run.tasks.size(), 0);
     for (const std::size_t task : cut) costs[task] = 1;
-    run.progress.begin("decompose", kMeshesShare, costs);
+    run.progress.begin("decompose", meshesEnd(run.options), costs);
     forEachInTurn(cut.size(), [&](std::size_t i) { decomposeAgain(cut[i], written, run); });
   }
 }
@@ -299,10 +303,6 @@ std::vector<std::string> notesOnNoHulls(const Report& report) {
 std::vector<std::string> notesOnTolerance(const Options& options) {
   if (options.models.empty() || toString(options.tolerance) == toString(Options().tolerance)) return {};
   return {"the tolerance '" + toString(options.tolerance) + "' is not used: each model has its own"};
-}
-
-double meshesEnd(const Options& options) {
-  return options.validate ? kMeshesShare : 1;
 }
 
 }  // namespace

@@ -98,10 +98,8 @@ std::string hullsOfMesh(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder / "report.json", error)) return "";
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string stem = at->path().stem().string(), ending = "_hulls";
-    if (isMeshFile(at->path().string()) && stem.size() > ending.size() &&
-        stem.compare(stem.size() - ending.size(), ending.size(), ending) == 0)
-      return at->path().string();
+    const std::string name = at->path().filename().string(), ending = "_hulls.obj";
+    if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0) return at->path().string();
   }
   return "";
 }

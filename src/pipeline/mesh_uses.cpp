@@ -23,6 +23,8 @@ bool isMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh;
 }
 
+constexpr std::size_t kMostNames = 5;  // in a note
+
 bool isDecomposed(const LinkOptions* options) {
   return options && options->action == Action::kDecompose;
 }
@@ -49,23 +51,18 @@ bool keepsPrimitives(const LinkDescription& link, const LinkOptions* options) {
 
 /// On links with primitives beside those with meshes.
 std::vector<std::string> notesOnPrimitives(const RobotDescription& robot, const LinkDecisions& decisions) {
-  constexpr std::size_t kMostNames = 5;
-  std::string names;
-  std::size_t links = 0;
-  for (const LinkDescription& link : robot.links) {
-    if (!keepsPrimitives(link, decisions.of(link.name)) || ++links > kMostNames) continue;
-    names += (names.empty() ? "" : ", ") + shortened(link.name);
-  }
-  if (links == 0) return {};
-  return {counted(links, "link keeps", "links keep") + " the primitives of " + (links == 1 ? "its" : "their") +
-          " <collision> elements, as they are: " + names +
-          (links > kMostNames ? " and " + std::to_string(links - kMostNames) + " more" : "") +
-          "; 'source: visual' in a configuration decomposes " + (links == 1 ? "its" : "their") + " visual meshes"};
+  std::vector<std::string> names;
+  for (const LinkDescription& link : robot.links)
+    if (keepsPrimitives(link, decisions.of(link.name))) names.push_back(shortened(link.name));
+  if (names.empty()) return {};
+  const bool one = names.size() == 1;
+  return {counted(names.size(), "link keeps", "links keep") + " the primitives of " + (one ? "its" : "their") +
+          " <collision> elements, as they are: " + listedFirst(names, kMostNames) + "; 'source: visual' in a configuration decomposes " +
+          (one ? "its" : "their") + " visual meshes"};
 }
 
 /// Links that collide with nothing in the input, beside others that collide.
 std::vector<std::string> notesOnNew(const RobotDescription& robot, const LinkDecisions& decisions) {
-  constexpr std::size_t kMostNames = 5;
   const auto collides = [](const LinkDescription& link) { return !link.collisions.empty(); };
   if (std::none_of(robot.links.begin(), robot.links.end(), collides)) return {};
   std::vector<std::string> names;
@@ -75,13 +72,10 @@ std::vector<std::string> notesOnNew(const RobotDescription& robot, const LinkDec
     if (std::any_of(link.visuals.begin(), link.visuals.end(), isMesh)) names.push_back(shortened(link.name));
   }
   if (names.empty()) return {};
-  const std::size_t more = names.size() - std::min(kMostNames, names.size());
   const bool one = names.size() == 1;
-  names.resize(names.size() - more);
-  return {counted(names.size() + more, "link has", "links have") + " no <collision> elements, and " + (one ? "gets" : "get") +
-          " hulls of " + (one ? "its" : "their") + " visual meshes: " + listed(names) +
-          (more > 0 ? " and " + std::to_string(more) + " more" : "") + "; --source collision leaves " + (one ? "it" : "them") +
-          " without collision geometry"};
+  return {counted(names.size(), "link has", "links have") + " no <collision> elements, and " + (one ? "gets" : "get") + " hulls of " +
+          (one ? "its" : "their") + " visual meshes: " + listedFirst(names, kMostNames) + "; --source collision leaves " +
+          (one ? "it" : "them") + " without collision geometry"};
 }
 
 bool haveCommon(const std::set<std::string>& a, const std::set<std::string>& b) {

@@ -146,8 +146,8 @@ std::vector<std::string> argumentsWithoutValue(const std::string& path, const Pr
                                            "' uses and which has no default: " + runWith(arguments, path));
   }
   if (!arguments.empty()) {
-    throw Error(ErrorCode::kNotARobot, "'" + path + "' needs values for the arguments " + "'" + listed(arguments, "', '") + "'" +
-                                           ", which have no defaults: " + runWith(arguments, path));
+    throw Error(ErrorCode::kNotARobot, "'" + path + "' needs values for the arguments '" + listed(arguments, "', '") +
+                                           "', which have no defaults: " + runWith(arguments, path));
   }
   if (xacro.errors.find("xacro:arg: missing attribute 'default'") != std::string::npos) {
     const std::string name = argumentWithoutDefault(source, control);

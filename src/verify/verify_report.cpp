@@ -91,8 +91,7 @@ std::string pairLines(const Verification& verification) {
   return missed + phantom + kFalse + ": lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n";
 }
 
-/// Why rows are not ok, one a line.
-/// Those that no query asks for.
+/// On links that no query asks for.
 std::string unqueried(const Verification& verification) {
   const auto is_one_sided = [](const LinkVerification& row) {
     return row.status == LinkStatus::kMissing || row.status == LinkStatus::kAdded;
@@ -102,6 +101,7 @@ std::string unqueried(const Verification& verification) {
   return "Not queried: " + counted(count, "link") + " with geometry on one side alone.\n";
 }
 
+/// Why rows are not ok, one a line.
 std::string reasons(const Verification& verification) {
   std::string text;
   for (const LinkVerification& row : verification.links)

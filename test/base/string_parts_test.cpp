@@ -30,6 +30,8 @@ TEST(Listed, PutsAWordBetweenTwo) {
   EXPECT_EQ(listed(std::vector<std::string>{"a", "b"}, " and "), "a and b");
   EXPECT_EQ(listed(std::vector<std::string>{"a"}), "a");
   EXPECT_EQ(listed(std::vector<std::string>{}), "");
+  EXPECT_EQ(listedFirst(std::vector<std::string>{"a", "b"}, 2), "a, b");
+  EXPECT_EQ(listedFirst(std::vector<std::string>{"a", "b", "c", "d"}, 2), "a, b and 2 more");
 }
 
 TEST(LowerExtension, IsThatOfTheFile) {

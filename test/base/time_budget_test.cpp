@@ -14,6 +14,12 @@ struct Stopped {
     return [this] { return now; };
   }
   void pass(double seconds) { now += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)); }
+  /// A task begins, and is done when these have passed.
+  void spend(double seconds, std::size_t task, TimeBudget& budget) {
+    budget.begin(task);
+    pass(seconds);
+    budget.finish(task);
+  }
   double until(const RunControl::Time& deadline) const { return std::chrono::duration<double>(deadline - now).count(); }
 };
 
@@ -48,20 +54,16 @@ TEST(TimeBudget, ThreadsAddUpAndWhatRunsIsPromised) {
 TEST(TimeBudget, WhatATaskSavesTheOthersHave) {
   Stopped time;
   TimeBudget budget(10, {5, 5}, 1, time.clock());
-  budget.begin(0);
-  time.pass(1);
-  budget.finish(0);
+  time.spend(1, 0, budget);
   EXPECT_NEAR(time.until(budget.begin(1)), 9, 1e-9);
 }
 
 TEST(TimeBudget, TasksThatNeedMoreShareTheRestByWhatTheyHad) {
   Stopped time;
   TimeBudget budget(20, {1, 2, 7}, 1, time.clock());
-  for (std::size_t task = 0; task < 3; ++task) {
-    budget.begin(task);
-    time.pass(task == 2 ? 1 : 2 + 2 * static_cast<double>(task));  // the last leaves most of its share
-    budget.finish(task);
-  }
+  time.spend(2, 0, budget);
+  time.spend(4, 1, budget);
+  time.spend(1, 2, budget);  // of 14
   EXPECT_EQ(budget.again({0, 1}), (std::vector<std::size_t>{0, 1}));
   EXPECT_NEAR(time.until(budget.begin(0)), 13 / 3.0, 1e-9) << "of 13 s, for 2 s and 4 s";
   time.pass(4);
@@ -72,27 +74,23 @@ TEST(TimeBudget, TasksThatNeedMoreShareTheRestByWhatTheyHad) {
 TEST(TimeBudget, NobodyBeginsAgainForHardlyMore) {
   Stopped time;
   TimeBudget budget(10, {4, 6}, 1, time.clock());
-  for (std::size_t task = 0; task < 2; ++task) {
-    budget.begin(task);
-    time.pass(task == 0 ? 4 : 0.1);
-    budget.finish(task);
-  }
+  time.spend(4, 0, budget);
+  time.spend(0.1, 1, budget);
   EXPECT_EQ(budget.again({0}), std::vector<std::size_t>()) << "5.9 s for 4 s";
   EXPECT_EQ(budget.again({}), std::vector<std::size_t>());
   EXPECT_EQ(TimeBudget(0, {1}, 1).again({0}), std::vector<std::size_t>()) << "no limit cuts anything";
   TimeBudget two(16, {1, 1, 2}, 1, time.clock());
-  for (std::size_t task = 0; task < 3; ++task) {
-    two.begin(task);
-    time.pass(task < 2 ? 4 : 1);
-    two.finish(task);
-  }
+  time.spend(4, 0, two);
+  time.spend(4, 1, two);
+  time.spend(1, 2, two);
   EXPECT_EQ(two.again({0, 1}), std::vector<std::size_t>()) << "7 s for 8 s";
   EXPECT_EQ(two.again({0}), std::vector<std::size_t>{0}) << "7 s for 4 s";
+  two.finish(0);
+  EXPECT_EQ(two.again({0}), std::vector<std::size_t>()) << "it did not begin";
   time.pass(20);
   TimeBudget over(1e-9, {1}, 1, time.clock());
   time.pass(1);
-  over.begin(0);
-  over.finish(0);
+  time.spend(0, 0, over);
   EXPECT_EQ(over.again({0}), std::vector<std::size_t>()) << "nothing is more than nothing";
 }
 

@@ -11,9 +11,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr int kMostLooks = 100;   // parts that are looked at
-constexpr int kMostUnproved = 8;  // middles that seem far enough outside, and near openings are not provably: where there are more, few are
-constexpr double kFinest = 0.01;  // parts of a radius below this share of the tolerance are not halved
+constexpr int kMostLooks = 100;      // parts that are looked at
+constexpr int kMostUnproved = 8;     // middles that seem to be outside, but near openings cannot be proved to be
+constexpr double kFinest = 0.01;     // parts of a radius below this share of the tolerance are not halved
 constexpr double kRounding = 1e-12;  // of a distance, as a share of the coordinates: as in measure/protrusion.cpp
 
 template <std::size_t N>

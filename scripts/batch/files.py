@@ -47,6 +47,11 @@ def files_below(folder):
         yield from (pathlib.Path(top, name) for name in others if os.path.isfile(os.path.join(top, name)))
 
 
+def sizes_of(folder):
+    """{name: size} of all regular files below a folder."""
+    return {str(file.relative_to(folder)): os.path.getsize(file) for file in sorted(pathlib.Path(folder).rglob("*")) if file.is_file()}
+
+
 def pieces(path, size):
     """The first bytes of a file: some of the kernel's have no end."""
     with open(path, "rb") as file:

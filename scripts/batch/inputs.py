@@ -29,6 +29,7 @@ class Item:
     path: str  # absolute, or the name of a package
     options: dict  # of its row in a manifest: {name: [value...]}, with an empty value for a flag
     name: str = ""
+    listed: bool = False  # in a file, not on the command line
 
     def is_mesh(self):
         return pathlib.Path(self.path).suffix.lower() in MESHES
@@ -161,14 +162,13 @@ def items_of(words, known):
     items = []
     for word in words:
         path = pathlib.Path(word)
-        if path.suffix.lower() in (".csv", ".txt") and not path.is_file():
-            raise Failure(f"the list '{word}' does not exist; check the path")
-        if path.suffix.lower() == ".csv":
-            items += of_manifest(path.resolve(), known)
-        elif path.suffix.lower() == ".txt":
-            items += of_list(path.resolve())
-        else:
+        if path.suffix.lower() not in (".csv", ".txt"):
             items += of_word(word, pathlib.Path.cwd(), {})
-        if not items:
-            raise Failure(f"'{word}' names no input; an empty list would remove all earlier results: check it, or remove the output folder")
+            continue
+        if not path.is_file():
+            raise Failure(f"the list '{word}' does not exist; check the path")
+        found = of_manifest(path.resolve(), known) if path.suffix.lower() == ".csv" else of_list(path.resolve())
+        if not found:
+            raise Failure(f"'{word}' names no input; an empty list would remove earlier results: check it, or leave it out")
+        items += [dataclasses.replace(item, listed=True) for item in found]
     return named(items)

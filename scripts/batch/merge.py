@@ -37,7 +37,7 @@ def lines_of(row):
     """The input's line, then one for each of its meshes."""
     report = row["report"]
     sums = {name: sum(mesh[name] for mesh in row["meshes"]) for name in ("triangles", "hulls", "primitives", "least_hulls")} if row["meshes"] else {}
-    sums["protrusion"] = max((mesh["protrusion"] for mesh in row["meshes"]), default="")
+    sums["protrusion"] = max((mesh["protrusion"] for mesh in row["meshes"] if mesh["protrusion"] is not None), default="")
     yield {**row, **sums, "row": "input", "report": report}
     for mesh in row["meshes"]:
         yield {**mesh, "row": "mesh", "name": row["name"], "input": row["input"], "mesh": mesh["uri"], "hash": mesh["sha256"], "report": report}

@@ -86,6 +86,11 @@ def bodies(mesh):
     return mesh["hulls"] + mesh["primitives"]
 
 
+def bounds(meshes):
+    """[mm] Of those that have one."""
+    return [1000 * mesh["protrusion"] for mesh in meshes if mesh["protrusion"] is not None]
+
+
 def failures(rows):
     """By reason, then one by one."""
     failed = [(row["name"], report_of(row), row) for row in rows if row["cause"]]
@@ -131,7 +136,7 @@ def summary(rows):
 def data_of(rows):
     """What the table of all inputs shows. "<" would let a name end the script."""
     cells = [[row["name"], row["status"], report_of(row), len(row["meshes"]), sum(map(bodies, row["meshes"])),
-              1000 * max((mesh["protrusion"] for mesh in row["meshes"]), default=0), row["seconds"], row["memory"], row["attempts"],
+              max(bounds(row["meshes"]), default=0), row["seconds"], row["memory"], row["attempts"],
               why(row)] for row in rows]
     return json.dumps(cells, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
 
@@ -140,7 +145,7 @@ def page_of(rows):
     rows = [{"seconds": 0, "cpu": 0, "memory": 0, "attempts": 0, **row} for row in rows]
     meshes = [mesh for _, mesh in meshes_of(rows)]
     charts = "".join([histogram("Hulls and primitives of a mesh", [bodies(mesh) for mesh in meshes]), histogram("Time of an input [s]", [row["seconds"] for row in rows]),
-                      histogram("Bound of a mesh [mm]", [1000 * mesh["protrusion"] for mesh in meshes]), histogram("Memory of an input [MB]", [row["memory"] for row in rows])])
+                      histogram("Bound of a mesh [mm]", bounds(meshes)), histogram("Memory of an input [MB]", [row["memory"] for row in rows])])
     parts = {"style": style(), "summary": summary(rows), "charts": charts, "failures": failures(rows), "slowest": slowest(rows), "worst": worst(rows),
              "script": (HERE / "page.js").read_text(encoding="utf-8"), "data": data_of(rows)}
     # All at once: a link may be called {{data}}.

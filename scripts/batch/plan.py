@@ -14,7 +14,7 @@ import shutil
 import urllib.parse
 
 from files import MOST_PATH, encoded, entries_of, files_below, read_json, read_text, sha256, write_json
-from inputs import merged
+from inputs import Failure, merged
 
 JOB_SECONDS = 180  # about what a job of meshes takes
 JOB_MESHES = 200  # at most
@@ -78,6 +78,15 @@ class Sources:
         if key not in self.crawls:
             self.crawls[key] = packages([folder for folder in [*given, *key[-1].split(":")] if folder])
         return self.crawls[key]
+
+    def has(self, item, options):
+        """Whether the input is there."""
+        if "/" in item.path:
+            return os.path.exists(item.path)
+        given = options.get("package-path", [])
+        prefixes = [prefix for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(":") if prefix]
+        return (item.path in {text.partition("=")[0] for text in given if "=" in text} or item.path in self.ros(given)
+                or any(os.path.isdir(os.path.join(prefix, "share", item.path)) for prefix in prefixes))
 
     def candidates(self, description, uri, package_path):
         """Paths that a mesh's URI may mean."""
@@ -146,9 +155,23 @@ def folder_of(item):
     return os.path.join("results", sha256(item.name)[:2], item.name)
 
 
+def expect_there(items, given, sources):
+    """A wrong path on the command line, or a disk that is not mounted, would replace earlier results by failures. One input of many that a list names
+    may be missing."""
+    lost = [item for item in items if not sources.has(item, merged(given, item.options))]
+    advice = "check the path, and that its disk is mounted; nothing was done, and earlier results stay"
+    for item in lost:
+        if not item.listed:
+            what = "does not exist" if "/" in item.path else "is neither a file, nor a folder, nor a package that is found"
+            raise Failure(f"INPUT '{item.path}' {what}; {advice}")
+    if len(lost) == len(items):
+        raise Failure(f"none of the {len(lost)} inputs that are listed exists, such as '{lost[0].path}'; {advice}")
+
+
 def plan_of(items, given, digests, version):
-    """The plan as it is stored: an entry an item, in their order."""
+    """The plan as it is stored: an entry an item, in their order. Throws Failure if the inputs are not there."""
     sources = Sources(digests)
+    expect_there(items, given, sources)
     entries = []
     for item in items:
         options = merged(given, item.options)
@@ -167,10 +190,19 @@ def row_of(entry, state):
     return row if row and row["fingerprint"] == entry["fingerprint"] else None
 
 
+def has_result(row, output):
+    """Whether every file of its result is still there, as large as it was."""
+    try:
+        return all(os.path.getsize(os.path.join(output, row["folder"], name)) == size for name, size in row["files"].items())
+    except OSError:
+        return False
+
+
 def missing(entries, state):
-    """Those without a row, those whose result could not be written, and those of which nobody knows what they depend on."""
+    """Those without a row, those whose result could not be written or has lost files, and those of which nobody knows what they depend on."""
+    output = os.path.dirname(state)
     rows = [(entry, row_of(entry, state)) for entry in entries]
-    return [entry for entry, row in rows if not (entry["fingerprint"] and row and row["cause"] != UNWRITABLE)]
+    return [entry for entry, row in rows if not (entry["fingerprint"] and row and row["cause"] != UNWRITABLE and has_result(row, output))]
 
 
 def forget(entries, state):

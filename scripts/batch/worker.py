@@ -14,7 +14,7 @@ import subprocess
 import threading
 import time
 
-from files import read_json, sha256, write_json
+from files import read_json, sha256, sizes_of, write_json
 from plan import UNWRITABLE, row_file
 
 MEGABYTE = 1 << 20
@@ -136,7 +136,7 @@ def is_complete(run, meshes, written):
 def row_of(entry, run, report, settings, limits):
     folder = os.path.join(settings["output"], entry["folder"])
     row = {"name": entry["name"], "input": entry["input"], "fingerprint": entry["fingerprint"], "folder": entry["folder"], "reason": "", "cause": "",
-           "hash": hash_of(folder), **run.measured}
+           "hash": hash_of(folder), "files": sizes_of(folder), **run.measured}
     meshes = list(mesh_rows(report or {"links": []}))
     if report is None or not is_complete(run, meshes, bool(row["hash"])):
         return {**row, "status": "failed", "cause": run.cause(), "reason": run.reason(*limits), "meshes": []}

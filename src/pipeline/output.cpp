@@ -101,14 +101,15 @@ std::string pageOf(const RobotResult& result, const RunControl& control) {
 /// The folder that an output is written to, and the one whose place it takes, which may not exist.
 struct Folders {
   fs::path next, earlier;
+  mode_t mode = 0;  // permissions of new files
 
   /// A file that the earlier output has, byte for byte, becomes a hard link to it: nothing to write or to flush. Not one of another user's
-  /// output, who could write to it later.
+  /// output, who could write to it later, nor one with other permissions than a new file gets.
   void write(const fs::path& name, const std::string& text) const {
     const fs::path file = next / name;
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
-    if (!linkTrustedFile((earlier / name).string(), text, file.string())) writeText(file, text);
+    if (!linkTrustedFile((earlier / name).string(), text, mode, file.string())) writeText(file, text);
   }
 };
 
@@ -225,7 +226,7 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
   checkOutput(output, control);
   refuseLosingMeshes(result.report, replacedFolder(output), control);
   FolderReplacement replacement(output);
-  const Folders folders{replacement.folder(), replacedFolder(output)};
+  const Folders folders{replacement.folder(), replacedFolder(output), replacement.fileMode()};
   std::set<std::string> written;
   for (std::size_t model = 0; model <= result.models.size(); ++model)
     writeModel(modelOf(model, result), result.report.options.format, folders, written, reportOf(model, result.report), control);

@@ -75,6 +75,9 @@ json regionsToJson(const ElementReport& row) {
 }
 
 json toJson(const ElementReport& row) {
+  const bool has_hulls = row.status == Status::kOk || row.status == Status::kDegraded;
+  const bool was_read = row.diagonal > 0;
+  const auto of_hulls = [&](auto value) { return has_hulls ? json(value) : json(); };
   return {{"link", row.link},
           {"element", row.element},
           {"source", row.visual ? "visual" : "collision"},
@@ -90,7 +93,7 @@ json toJson(const ElementReport& row) {
           {"openings", {{"closed", row.closed_openings}, {"left", row.openings}, {"widest_left", row.widest_opening}}},
           {"repair", toJson(row.repair)},
           {"method", row.status == Status::kKept || row.status == Status::kRemoved ? "" : name(row.method)},
-          {"tolerance", row.tolerance},
+          {"tolerance", row.tolerance > 0 ? json(row.tolerance) : json()},
           {"padding", row.padding},
           {"close_openings", row.close_openings},
           {"shapes", name(row.shapes)},
@@ -98,18 +101,18 @@ json toJson(const ElementReport& row) {
           {"least_hulls", row.least_hulls},
           {"hull_vertices", row.hull_vertices},
           {"primitives", row.primitives},
-          {"uncovered", row.uncovered},
-          {"protrusion", row.protrusion},
-          {"protrusion_found", row.protrusion_found},
-          {"worst", {{"point", toJson(row.worst)}, {"nearest", toJson(row.worst_nearest)}}},
+          {"uncovered", of_hulls(row.uncovered)},
+          {"protrusion", of_hulls(row.protrusion)},
+          {"protrusion_found", of_hulls(row.protrusion_found)},
+          {"worst", of_hulls(json{{"point", toJson(row.worst)}, {"nearest", toJson(row.worst_nearest)}})},
           {"regions", regionsToJson(row)},
           {"interior", row.interior},
-          {"volume", row.volume},
-          {"hull_volume", row.hull_volume},
-          {"covered_share", row.covered_share},
-          {"diagonal", row.diagonal},
-          {"nudge", row.nudge},
-          {"thickness", row.thickness},
+          {"volume", was_read ? json(row.volume) : json()},
+          {"hull_volume", of_hulls(row.hull_volume)},
+          {"covered_share", of_hulls(row.covered_share)},
+          {"diagonal", was_read ? json(row.diagonal) : json()},
+          {"nudge", of_hulls(row.nudge)},
+          {"thickness", of_hulls(row.thickness)},
           {"cached", row.cached},
           {"seconds", toJson(row.seconds)},
           {"files", row.files}};

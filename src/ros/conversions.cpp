@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <limits>
 
 #include "base/counted.h"
 #include "base/figure.h"
@@ -69,10 +70,11 @@ LinkReport toMessage(const ElementReport& row, const Eigen::Isometry3d& origin) 
   message.hulls = static_cast<std::uint32_t>(row.hulls);
   message.hull_vertices = static_cast<std::uint32_t>(row.hull_vertices);
   message.tolerance = row.tolerance;
-  message.uncovered = row.uncovered;
-  message.protrusion = row.protrusion;
-  message.protrusion_found = row.protrusion_found;
+  message.uncovered = message.protrusion = message.protrusion_found = std::numeric_limits<double>::quiet_NaN();
   if (row.status == Status::kOk || row.status == Status::kDegraded) {
+    message.uncovered = row.uncovered;
+    message.protrusion = row.protrusion;
+    message.protrusion_found = row.protrusion_found;
     message.worst = toPoint(origin * row.worst);
     message.worst_nearest = toPoint(origin * row.worst_nearest);
   }

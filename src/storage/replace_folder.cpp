@@ -41,6 +41,23 @@ bool isAt(const fs::path& path, const Descriptor& folder) {
          there.st_dev == opened.st_dev;
 }
 
+/// Lets the owner remove what is in a folder. Not by its path, which may have become a link.
+void unlock(const fs::path& path) {
+  const Descriptor folder(open(path.c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (folder.number() >= 0) chmod(placeOf(folder).c_str(), S_IRWXU);
+}
+
+/// Also what its owner made read-only. What cannot be removed stays.
+void removeTree(const fs::path& tree) {
+  std::error_code error;
+  fs::remove_all(tree, error);
+  if (!error) return;
+  unlock(tree);
+  for (fs::recursive_directory_iterator i(tree, error), end; !error && i != end; i.increment(error))
+    if (i->symlink_status(error).type() == fs::file_type::directory) unlock(i->path());
+  fs::remove_all(tree, error);
+}
+
 /// Removes the folders that killed processes left.
 void removeLeftovers(const fs::path& target) {
   std::error_code ignored;
@@ -50,8 +67,7 @@ void removeLeftovers(const fs::path& target) {
     if (name.compare(0, prefix.size(), prefix) != 0 || i->path() == asideOf(target)) continue;
     const Descriptor lock(open(i->path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (lock.number() < 0 || flock(lock.number(), LOCK_EX | LOCK_NB) != 0) continue;
-    std::error_code failed;  // then it stays for the next one
-    fs::remove_all(i->path(), failed);
+    removeTree(i->path());
   }
 }
 
@@ -76,8 +92,7 @@ fs::path replacedFolder(const std::string& target) {
 
 void replaceByTwoRenames(const fs::path& folder, const fs::path& target) {
   const fs::path aside = asideOf(target);
-  std::error_code ignored;
-  fs::remove_all(aside, ignored);
+  removeTree(aside);
   move(target, aside);
   try {
     move(folder, target);
@@ -85,7 +100,7 @@ void replaceByTwoRenames(const fs::path& folder, const fs::path& target) {
     move(aside, target);
     throw;
   }
-  fs::remove_all(aside, ignored);
+  removeTree(aside);
 }
 
 void restoreAside(const fs::path& target) {
@@ -133,9 +148,12 @@ fs::path FolderReplacement::folder() const {
   return placeOf(lock_) / ".";
 }
 
+mode_t FolderReplacement::fileMode() const {
+  return mode_ & (S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
+}
+
 FolderReplacement::~FolderReplacement() {
-  std::error_code ignored;
-  if (!folder_.empty() && rmdir(folder_.c_str()) != 0) fs::remove_all(folder_, ignored);  // an empty one takes no descriptor
+  if (!folder_.empty() && rmdir(folder_.c_str()) != 0) removeTree(folder_);  // an empty one takes no descriptor
 }
 
 /// Both folders must be where their paths lead.

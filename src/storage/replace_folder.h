@@ -29,6 +29,9 @@ class FolderReplacement {
   /// Where to write; on the file system of the target. Only this user can, until commit().
   std::filesystem::path folder() const;
 
+  /// The permissions of new files, as the umask has them.
+  mode_t fileMode() const;
+
   /// Brings everything to the disk, exchanges the folders and removes the old one. Throws kUnwritableOutput.
   void commit();
 

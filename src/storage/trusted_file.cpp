@@ -38,9 +38,10 @@ TrustedFile readTrustedFile(const std::string& path, std::uintmax_t most_bytes) 
   return result;
 }
 
-bool linkTrustedFile(const std::string& path, const std::string& content, const std::string& link) {
+bool linkTrustedFile(const std::string& path, const std::string& content, mode_t mode, const std::string& link) {
+  constexpr mode_t kPermissions = 07777;
   const OpenFile known(path, OpenFile::Links::kRefuse);
-  if (known.error() != 0 || !distrust(known.status()).empty()) return false;
+  if (known.error() != 0 || !distrust(known.status()).empty() || (known.status().st_mode & kPermissions) != mode) return false;
   try {
     if (known.content("file", content.size()) != content) return false;
   } catch (const Error&) {

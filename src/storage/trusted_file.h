@@ -22,8 +22,8 @@ struct TrustedFile {
 
 TrustedFile readTrustedFile(const std::string& path, std::uintmax_t most_bytes);
 
-/// Makes `link` a hard link to the file at `path`, if that holds this content and nobody but this user and root can change it. False: there
-/// is no link.
-bool linkTrustedFile(const std::string& path, const std::string& content, const std::string& link);
+/// Makes `link` a hard link to the file at `path`, if that holds this content, has the permissions `mode`, and nobody but this user and
+/// root can change it. False: there is no link.
+bool linkTrustedFile(const std::string& path, const std::string& content, mode_t mode, const std::string& link);
 
 }  // namespace collision_hulls

@@ -314,11 +314,22 @@ std::map<std::string, ino_t> places(const fs::path& folder) {
   return result;
 }
 
+class Umask {
+ public:
+  explicit Umask(mode_t mask) : before_(umask(mask)) {}
+  ~Umask() { umask(before_); }
+  Umask(const Umask&) = delete;
+  Umask& operator=(const Umask&) = delete;
+
+ private:
+  const mode_t before_;
+};
+
 TEST(WriteOutput, ReusesIdenticalFiles) {
   const TempFolder folder;
+  const Umask usual(022);
   RobotResult result = sample();
   writeOutput(result, folder / "out");
-  for (const auto& [name, place] : places(folder / "out")) chmod((folder / ("out/" + name)).c_str(), 0644);  // whatever the umask
   const auto first = fixtures::contents(folder / "out");
   const auto before = places(folder / "out");
   fixtures::write(folder / "out/meshes/a/0_0.stl", "changed by someone");
@@ -335,6 +346,16 @@ TEST(WriteOutput, ReusesIdenticalFiles) {
   EXPECT_EQ(files["meshes/a/0_1.stl"], first.at("meshes/a/0_1.stl"));
   EXPECT_NE(files["meshes/b/0_0.stl"], first.at("meshes/b/0_0.stl"));
   EXPECT_FALSE(fs::is_symlink(folder / "out/meshes/a/0_1.stl"));
+}
+
+TEST(WriteOutput, PermissionsAreThoseOfTheLastRun) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  for (const auto& [mask, mode] : {std::pair{077u, fs::perms{0600}}, {022u, fs::perms{0644}}, {077u, fs::perms{0600}}}) {
+    const Umask set(mask);
+    writeOutput(result, folder / "out");
+    for (const auto& [name, place] : places(folder / "out")) EXPECT_EQ(fs::status(folder / ("out/" + name)).permissions(), mode) << name;
+  }
 }
 
 TEST(WriteOutput, WritesAnewWhatOthersCouldChangeLater) {

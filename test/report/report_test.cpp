@@ -222,6 +222,21 @@ TEST(ReportTable, FaultsOfFclAndTheCache) {
   EXPECT_EQ(toTable(Report{}), "");
 }
 
+// Zeros would pass for measurements.
+TEST(ReportJson, WhatWasNotMeasuredIsNull) {
+  Report report = sample();
+  for (ElementReport& row : report.links) row.diagonal = row.tolerance = row.status == Status::kFailed ? 0 : 1;
+  report.links.push_back(report.links.back());
+  report.links.back().status = Status::kKept;
+  const json rows = json::parse(toJson(report))["links"];
+  const char* const measured[] = {"uncovered", "protrusion", "protrusion_found", "worst",    "volume", "hull_volume", "covered_share",
+                                  "diagonal",  "nudge",      "thickness",        "tolerance"};
+  for (const json& row : rows) {
+    const bool has_hulls = row["status"] == "ok" || row["status"] == "degraded";
+    for (const char* field : measured) EXPECT_EQ(row.at(field).is_null(), !has_hulls) << field << row["status"];
+  }
+}
+
 TEST(Report, OneLineForAMissingPackage) {
   Report report = sample();
   ElementReport row;

@@ -3,6 +3,8 @@
 #include <collision_hulls/DecomposeRequest.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -78,6 +80,9 @@ TEST(ToMessage, LinkReport) {
   EXPECT_NEAR(1, message.worst.y, 1e-15);
   EXPECT_NEAR(3, message.worst.z, 1e-15);
   EXPECT_NEAR(2, message.worst_nearest.y, 1e-15);
+  report.status = Status::kFailed;
+  const LinkReport failed = toMessage(report, Eigen::Isometry3d::Identity());
+  for (const double measure : {failed.uncovered, failed.protrusion, failed.protrusion_found}) EXPECT_TRUE(std::isnan(measure));
 }
 
 TEST(ToMessage, StatusConstants) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -146,6 +147,27 @@ TEST(FolderReplacement, EndsWhereNothingMoreCanBeOpened) {
     EXPECT_EQ(entries(folder.path()), 0u) << free << " may be opened";
   }
   EXPECT_TRUE(failed && worked);
+}
+
+// Which root never notices: a user of this process's own, without root's rights, has to.
+TEST(FolderReplacement, RemovesWhatItsOwnerMadeReadOnly) {
+  const TempFolder folder;
+  chmod(folder.path().c_str(), 0777);
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);
+    const std::string target = folder / "out";
+    replaceWith(target, "old");
+    fs::create_directory(folder / "out/sub/deep");
+    fixtures::write(folder / "out/sub/deep/file", "");
+    for (const char* name : {"out/sub/deep", "out/sub", "out"}) chmod((folder / name).c_str(), name[3] == 0 ? 0555 : 0);
+    replaceWith(target, "new");
+    _exit(entries(folder.path()) == 1 && texts(target) == std::set<std::string>{"new"} ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
 }
 
 TEST(FolderReplacement, LeavesFoldersOfLiveProcessesAlone) {

@@ -45,22 +45,23 @@ TEST(LinkTrustedFile, WhatOthersCannotChange) {
   const std::string file = fixtures::write(folder / "file", "12345"), link = folder / "link";
   chmod(file.c_str(), 0644);
   symlink(file.c_str(), (folder / "symbolic").c_str());
-  EXPECT_FALSE(linkTrustedFile(folder / "symbolic", "12345", link));
-  for (const char* other : {"1234", "12346", "123456"}) EXPECT_FALSE(linkTrustedFile(file, other, link)) << other;
+  EXPECT_FALSE(linkTrustedFile(folder / "symbolic", "12345", 0644, link));
+  for (const char* other : {"1234", "12346", "123456"}) EXPECT_FALSE(linkTrustedFile(file, other, 0644, link)) << other;
   for (const mode_t mode : {0664u, 0646u}) {
     chmod(file.c_str(), mode);
-    EXPECT_FALSE(linkTrustedFile(file, "12345", link)) << mode;
+    EXPECT_FALSE(linkTrustedFile(file, "12345", mode, link)) << mode;
   }
   chmod(file.c_str(), 0644);
   if (geteuid() == 0) {  // only root can give files away
     ASSERT_EQ(chown(file.c_str(), 12345, static_cast<gid_t>(-1)), 0);
-    EXPECT_FALSE(linkTrustedFile(file, "12345", link)) << "of another user";
+    EXPECT_FALSE(linkTrustedFile(file, "12345", 0644, link)) << "of another user";
     ASSERT_EQ(chown(file.c_str(), 0, static_cast<gid_t>(-1)), 0);
   }
+  EXPECT_FALSE(linkTrustedFile(file, "12345", 0600, link)) << "other permissions";
   EXPECT_FALSE(std::filesystem::exists(link));
-  EXPECT_TRUE(linkTrustedFile(file, "12345", link));
+  EXPECT_TRUE(linkTrustedFile(file, "12345", 0644, link));
   EXPECT_EQ(std::filesystem::hard_link_count(file), 2u);
-  EXPECT_FALSE(linkTrustedFile(file, "12345", link)) << "there is one already";
+  EXPECT_FALSE(linkTrustedFile(file, "12345", 0644, link)) << "there is one already";
 }
 
 }  // namespace

@@ -21,12 +21,12 @@
 #include "base/looks.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "geometry/own_axes.h"
-#include "geometry/pi.h"
 #include "measure/flat_sheets.h"
 #include "measure/flat_walls.h"
 #include "measure/inverted.h"
 #include "measure/lids.h"
 #include "measure/rim.h"
+#include "measure/rim_field.h"
 #include "mesh/edges.h"
 #include "mesh/loose_segments.h"
 
@@ -53,20 +53,6 @@ TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids) {
   return result;
 }
 
-/// Edges as triangles without area, for distance queries.
-TriangleMesh edgeMesh(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
-  TriangleMesh result;
-  if (!rim.empty()) result.vertices = vertices;
-  for (const auto& [a, b] : rim) result.triangles.push_back({a, b, b});
-  return result;
-}
-
-double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
-  double sum = 0;
-  for (const auto& [a, b] : rim) sum += (vertices[static_cast<std::size_t>(b)] - vertices[static_cast<std::size_t>(a)]).norm();
-  return sum;
-}
-
 // With openings: points with a larger computed winding number surely are inside, where the true one exceeds 1/2; and what balls inside S
 // leave in reserve.
 constexpr double kSurelyInside = 0.55, kReserve = 0.02;
@@ -82,8 +68,7 @@ struct Walls {
                    ? surface
                    : std::make_shared<TriangleBvh>(joined(walls, all_lids), std::vector<char>(), control, TriangleBvh::Keeps::kNothing)),
         lids({all_lids.vertices, all_lids.of_openings}, {}, control),
-        rim(edgeMesh(mesh.mesh.vertices, all_lids.rim_of_openings), {}, control, TriangleBvh::Keeps::kNothing),
-        rim_length(lengthOf(mesh.mesh.vertices, all_lids.rim_of_openings)),
+        rim(mesh.mesh.vertices, all_lids.rim_of_openings, control),
         crack_width(all_lids.crack_width),
         has_sheets(walls.triangles.size() != mesh.mesh.triangles.size()),
         blur(std::max(closed->blur(), surface->blur())),
@@ -160,15 +145,12 @@ struct Walls {
       return *exact_;
     }
 
-    /// A lower bound on the length of any path from p to where the winding number differs by `margin` that does not cross the surface. Away
-    /// from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current (Biot-Savart): at a
-    /// distance d from the rim it is at most length / (4 pi d^2).
+    /// A lower bound on the length of any path from p to where the winding number differs by `margin` that does not cross the surface.
     double wayTo(double margin) {
       if (margin <= 0) return 0;
       if (!walls_.hasOpenings()) return std::numeric_limits<double>::infinity();
-      if (!to_rim_) to_rim_ = walls_.rim.nearest(p_).distance;
-      const double d = *to_rim_, k = walls_.rim_length / (4 * kPi * margin), b = 2 * d + k;
-      return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // the r with k r = (d - r)^2
+      if (!rim_) rim_ = walls_.rim.from(p_);
+      return rim_->way(margin);
     }
 
     const Walls& walls_;
@@ -176,12 +158,13 @@ struct Walls {
     const Eigen::Vector3d aside_;
     const int crossings_;
     std::array<std::optional<TriangleBvh::RoughWinding>, kRough.size()> rough_;
-    std::optional<double> exact_, to_rim_;
+    std::optional<double> exact_;
+    std::optional<RimField::Seen> rim_;
   };
 
   std::shared_ptr<const TriangleBvh> closed;
-  TriangleBvh lids, rim;
-  double rim_length;   // [m]
+  TriangleBvh lids;
+  RimField rim;        // of openings
   double crack_width;  // [m]
   bool has_sheets;     // whether some of the surface is no wall
   double blur;         // [m] what rounding may hide; see the top

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "collision_hulls/measure/solid.h"
+#include "measure/lids.h"
+#include "measure/rim_field.h"
+#include "mesh/edges.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -109,21 +112,27 @@ TriangleMesh pillarWithTwoWindows(double height) {
   return test_shapes::moved(openVessel({{0.25, 0}, {0.5, 0}, {0.5, height}, {0.25, height}}), {0.5, 0.5, 0});
 }
 
-/// [m] How far the field of the windows' rims, 4 m long, lets the winding number be from 1/2 that is w at this distance from them.
-double wayToHalf(double w, double to_rim) {
-  const double k = 4 / (4 * test_shapes::kPi * (0.5 - w)), b = 2 * to_rim + k;
-  return 2 * to_rim * to_rim / (b + std::sqrt(b * b - 4 * to_rim * to_rim));
+RimField fieldOf(const TriangleMesh& mesh) {
+  const RepairedMesh repaired = repair(mesh);
+  const Rim rim = rimOf(repaired, findEdges(repaired.mesh.triangles, repaired.mesh.vertices.size(), {}), {});
+  return RimField(repaired.mesh.vertices, lidsOf(repaired.mesh, rim, {}).rim_of_openings, {});
+}
+
+/// [m] How far the field of the windows' rims lets the exact winding number be from 1/2.
+double wayToHalf(const TriangleMesh& mesh, const RimField& field, const Vector3d& p) {
+  return field.from(p).way(0.5 - test_shapes::winding(mesh, p));
 }
 
 TEST(Solid, WhatIsProvedOfDistancesAllowsForTheErrorsOfRoughWindingNumbers) {
   const TriangleMesh mesh = pillarWithTwoWindows(1);
   const Solid solid = solidOf(mesh);
+  const RimField field = fieldOf(mesh);
   ASSERT_TRUE(solid.hasOpenings());
   for (double away = 1.25; away < 3; away += 0.01) {
     const Vector3d p(0.5, 0.5, 0.5 + away);
     const double to_surface = solid.distanceToSurface(p);
     EXPECT_NEAR(to_surface, std::hypot(0.25, away - 0.5), 1e-12);  // and to the rim
-    const double way = wayToHalf(test_shapes::winding(mesh, p), to_surface);
+    const double way = wayToHalf(mesh, field, p);
     ASSERT_LT(way, 0.9 * to_surface);
     EXPECT_FALSE(solid.isFurther(1.002 * way, p, to_surface)) << away;
     EXPECT_TRUE(solid.isFurther(0.9 * way, p, to_surface)) << away;
@@ -134,9 +143,10 @@ TEST(Solid, WhatIsProvedOfDistancesAllowsForTheErrorsOfRoughWindingNumbers) {
 TEST(Solid, NoDistanceIsProvedThatTheExactWindingNumberDoesNotAllow) {
   const TriangleMesh pillar = pillarWithTwoWindows(4);
   const Solid solid = solidOf(pillar);
+  const RimField field = fieldOf(pillar);
   for (double away = 60; away < 140; away += 5) {
     const Vector3d p(0.5, 0.5, 4 + away);
-    const double to_surface = solid.distanceToSurface(p), way = wayToHalf(test_shapes::winding(pillar, p), to_surface);
+    const double to_surface = solid.distanceToSurface(p), way = wayToHalf(pillar, field, p);
     EXPECT_FALSE(solid.isFurther(way, p, to_surface)) << away;
     EXPECT_TRUE(solid.isFurther(way - 1e-6, p, to_surface)) << away;
   }

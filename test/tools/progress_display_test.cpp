@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 namespace collision_hulls {
 namespace {
 
@@ -21,6 +25,22 @@ TEST(ProgressDisplay, TellsOnceHowToWaitLess) {
 TEST(ProgressDisplay, SaysNothingWhereItIsToBeQuiet) {
   ProgressDisplay display(true, "Wait less.");
   EXPECT_EQ(shown(display, 400), "");
+}
+
+TEST(ProgressDisplay, ShowsThatTimePassesWhereNothingIsReported) {
+  testing::internal::CaptureStderr();
+  {
+    ProgressDisplay display(false, "", 0.05);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    display.step({"decompose", "arm", 1, 2, 3, 0.5, -1});
+    std::this_thread::sleep_for(std::chrono::milliseconds(900));
+    display.clear();
+    std::this_thread::sleep_for(std::chrono::milliseconds(900));
+  }
+  const std::string text = testing::internal::GetCapturedStderr(), line = "50 %, 1 of 2 meshes, 3 hulls";
+  ASSERT_EQ(text.find(line + "\n"), 0u) << text;
+  EXPECT_EQ(text.find(line + ", 0 s at this step\n"), line.size() + 1) << text;
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 3) << text;
 }
 
 }  // namespace

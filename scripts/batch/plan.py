@@ -194,7 +194,7 @@ def has_result(row, output):
     """Whether every file of its result is still there, as large as it was."""
     try:
         return all(os.path.getsize(os.path.join(output, row["folder"], name)) == size for name, size in row["files"].items())
-    except OSError:
+    except (OSError, KeyError):  # gone, or the row of an earlier version
         return False
 
 

@@ -45,7 +45,7 @@ std::string allocateWithoutEnd() {
 }
 
 [[noreturn]] void computeWithoutEnd() {
-  for (volatile int i = 0;;) i = i + 1;
+  for (volatile unsigned i = 0;;) i = i + 1;
 }
 
 std::string openDescriptors() {

@@ -165,7 +165,7 @@ def expect_there(items, given, sources):
             what = "does not exist" if "/" in item.path else "is neither a file, nor a folder, nor a package that is found"
             raise Failure(f"INPUT '{item.path}' {what}; {advice}")
     if len(lost) == len(items):
-        raise Failure(f"none of the {len(lost)} inputs that are listed exists, such as '{lost[0].path}'; {advice}")
+        raise Failure(f"no listed input exists, such as '{lost[0].path}'; {advice}")
 
 
 def plan_of(items, given, digests, version):

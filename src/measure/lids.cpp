@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "base/looks.h"
+#include "geometry/segment_distance.h"
 
 namespace collision_hulls {
 
@@ -24,12 +25,9 @@ double widthOf(const std::vector<Eigen::Vector3d>& vertices, const Loop& loop) {
     return *std::max_element(loop.begin(), loop.end(), [&](int a, int b) { return (at(a) - at(v)).norm() < (at(b) - at(v)).norm(); });
   };
   const int end = furthestFrom(loop[0]);
-  const Eigen::Vector3d from = at(end), along = at(furthestFrom(end)) - from;
+  const int other = furthestFrom(end);
   double width = 0;
-  for (const int v : loop) {
-    const double share = std::clamp((at(v) - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    width = std::max(width, (at(v) - from - share * along).norm());
-  }
+  for (const int v : loop) width = std::max(width, segmentDistance(at(v), at(end), at(other)));
   return width;
 }
 

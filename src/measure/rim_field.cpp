@@ -11,19 +11,12 @@
 
 #include "base/looks.h"
 #include "geometry/pi.h"
+#include "geometry/segment_distance.h"
 
 namespace collision_hulls {
 namespace {
 
 constexpr double kFar = 1;  // in diagonals of its box: a piece that is further counts as a whole, at its box's distance
-
-/// From the nearest point of a segment.
-double distanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const Eigen::Vector3d along = b - a;
-  const double square = along.squaredNorm();
-  const double at = square > 0 ? std::clamp(along.dot(p - a) / square, 0.0, 1.0) : 0;
-  return (p - a - at * along).norm();
-}
 
 }  // namespace
 
@@ -81,7 +74,7 @@ RimField::Seen RimField::from(const Eigen::Vector3d& p) const {
   for (std::size_t count = 1; count > 0;) {
     const Node& node = nodes_[static_cast<std::size_t>(open[--count])];
     const bool is_leaf = node.children < 0;
-    const double distance = is_leaf ? distanceToSegment(p, node.a, node.b) : node.box.exteriorDistance(p);
+    const double distance = is_leaf ? segmentDistance(p, node.a, node.b) : node.box.exteriorDistance(p);
     if (!is_leaf && distance < kFar * node.box.diagonal().norm()) {
       open[count++] = node.children;
       open[count++] = node.children + 1;

@@ -99,7 +99,7 @@ def failures(rows):
         return ""
     each = [(link(name, report), html.escape(item["cause"]), html.escape(item["reason"])) for name, report, item in failed[:FAILED_LISTED]]
     more = f"<p class=\"quiet\">{len(failed) - FAILED_LISTED:,} more are in batch.csv.</p>" if len(failed) > FAILED_LISTED else ""
-    return ("<section><h2>Failures</h2>" + table(("Reason", "Inputs and meshes"), [(html.escape(kind), number) for kind, number in progress.kinds(rows)])
+    return ("<section><h2>Failures</h2>" + table(("Reason", "Inputs and meshes"), [(html.escape(kind), number) for number, kind, _ in progress.kinds(rows)])
             + f"<details><summary>One by one</summary>{table(('Input, link', 'Cause', 'Reason'), each)}{more}</details></section>")
 
 

@@ -2,6 +2,7 @@
 import collections
 import re
 import sys
+import textwrap
 import time
 
 from files import tell
@@ -9,6 +10,7 @@ from plan import row_of
 
 PERIOD = 0.5  # [s] between looks
 LINE_PERIOD = 30  # [s] between lines where there is no terminal
+EXAMPLE = 160  # characters of a reason
 
 
 def duration(seconds):
@@ -70,10 +72,14 @@ def watch(process, entries, state):
 
 
 def kinds(rows):
-    """How many inputs and meshes failed for which reason, the most frequent first. What decompose refuses is told apart by its own words."""
-    items = [item for row in rows for item in [row, *row["meshes"]] if item["cause"]]
-    return collections.Counter(re.sub(r"'[^']*'|\[[^]]*\]|\d+", "…", item["reason"])[:120] if item["cause"] == "Refused" else item["cause"]
-                               for item in items).most_common()
+    """[how many, which reason, an example] of the inputs and meshes that failed, the most frequent first. What decompose refuses is told apart by its
+    own words and needs no example."""
+    found = {}
+    for item in (item for row in rows for item in [row, *row["meshes"]] if item["cause"]):
+        is_own = item["cause"] == "Refused"
+        kind = re.sub(r"'[^']*'|\[[^]]*\]|\d+", "…", item["reason"])[:120] if is_own else item["cause"]
+        found.setdefault(kind, [0, kind, "" if is_own else item["reason"]])[0] += 1
+    return sorted(found.values(), key=lambda kind: -kind[0])
 
 
 def summary(rows, done, output):
@@ -82,5 +88,6 @@ def summary(rows, done, output):
     lines = [first if done else f"nothing to do: {len(rows)} input{'s are as they were' if len(rows) != 1 else ' is as it was'}"]
     for what, items in (("inputs", rows), ("meshes", [mesh for row in rows for mesh in row["meshes"]])):
         lines.append(f"{what}: {len(items)}{by_status(collections.Counter(item['status'] for item in items))}")
-    lines += [f"  {number} {kind}" for kind, number in kinds(rows)]
+    for number, kind, example in kinds(rows):
+        lines.append(f"  {number} {kind}" + (f"{': ' if number == 1 else ', first: '}{textwrap.shorten(example, EXAMPLE, placeholder=' …')}" if example else ""))
     return "\n".join([*lines, f"Written to {output}: batch.csv, batch.html"])

@@ -26,6 +26,10 @@ std::string inLowerCase(std::string text) {
   return text;
 }
 
+std::string lastPart(const std::string& uri) {
+  return uri.substr(uri.find_last_of('/') + 1);
+}
+
 std::string lowerExtension(const std::string& path) {
   return inLowerCase(std::filesystem::path(path).extension().string());
 }

@@ -31,6 +31,8 @@ std::string listedFirst(Texts texts, std::size_t most) {
 
 std::string inLowerCase(std::string text);  ///< ASCII letters
 
+std::string lastPart(const std::string& uri);  ///< behind the last slash
+
 /// A path's extension in lower case (ASCII), with the dot; empty if it has none.
 std::string lowerExtension(const std::string& path);
 

@@ -62,8 +62,7 @@ std::vector<char> findFlat(const TriangleMesh& mesh, const Edges& edges, std::ve
     volume.push_back(closure.volume);
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     look();
-    const Eigen::Vector3d a = mesh.corner(t, 0) - origin, b = mesh.corner(t, 1) - origin, c = mesh.corner(t, 2) - origin;
-    volume[at(edges.component[at(t)])] += a.cross(b).dot(c) / 6;
+    volume[at(edges.component[at(t)])] += volumeBehind(mesh, t, origin);
     area[at(edges.component[at(t)])] += triangleArea(mesh, t);
   }
   std::vector<char> flat;

@@ -3,16 +3,12 @@
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "base/counted.h"
-#include "base/decimal.h"
-#include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/decompose/certified_hulls.h"
@@ -24,6 +20,8 @@
 #include "pipeline/earlier_output.h"
 #include "pipeline/mesh_result.h"
 #include "pipeline/run.h"
+#include "pipeline/scene/fit_notes.h"
+#include "pipeline/scene/fit_refusals.h"
 #include "pipeline/stages.h"
 #include "storage/names.h"
 
@@ -33,8 +31,6 @@ namespace {
 // Shares of the whole time at which stages end, approximately.
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
 constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
-constexpr double kOften = 0.01;      // of the samples: if a pair of links collides in more though its meshes do not, there is a note
-constexpr double kMost = 0.5;        // of the samples: if the robot touches the scene in more, there is a note
 
 using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
 
@@ -270,152 +266,6 @@ std::set<std::string> cappedLinks(const FittedUses& fitted, const SceneFit& fit,
       links.insert(run.uses[fitted.uses[i]].link);
   }
   return links;
-}
-
-/// On false collisions that only max-hulls keeps; empty: there are none.
-std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped) {
-  if (fit.phantom == 0 || fit.leaf_contacts > 0 || capped.empty()) return "";
-  return std::to_string(fit.phantom) + " of " + counted(fit.samples, "configuration") + " still " + (fit.phantom == 1 ? "has" : "have") +
-         " a false collision, since max-hulls keeps link '" + *capped.begin() + "'" +
-         (capped.size() > 1 ? " and " + std::to_string(capped.size() - 1) + " more" : "") +
-         " from finer hulls; raise max-hulls, or set it to 0, which lifts the limit";
-}
-
-/// On links and bodies of the scene that are not checked against each other; empty: there are none.
-std::string noteOnScenePairs(const FitReport& fit) {
-  const auto is_with_scene = [](const LeftOutPair& pair) { return !pair.links; };
-  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_with_scene);
-  if (first == fit.left_out.end()) return "";
-  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_with_scene));
-  return counted(count, "pair") + " of a link and a body of the scene " + (count == 1 ? "is" : "are") + " left out (" + first->first +
-         " against " + first->second + (count == 1 ? "" : ", for one") +
-         "): the original meshes touch there always, or nearly, so the check in the scene says nothing about " +
-         (count == 1 ? "it" : "them") + "; check the scene's pose unless the robot really stands like that";
-}
-
-/// On pairs of links whose hulls meet in many configurations in which their meshes are near, but do not touch; empty: there are none.
-std::string noteOnNearPairs(const FitReport& fit) {
-  const PairHits* worst = nullptr;
-  std::size_t count = 0;
-  for (const PairHits& pair : fit.self) {
-    if (!pair.links || static_cast<double>(pair.after) < kOften * static_cast<double>(fit.samples)) continue;
-    ++count;
-    if (!worst || pair.after > worst->after) worst = &pair;
-  }
-  if (!worst) return "";
-  return "hulls of links '" + worst->first + "' and '" + worst->second + "' collide in " + std::to_string(worst->after) + " of " +
-         std::to_string(fit.samples) + " configurations in which the meshes do not" +
-         (count > 1 ? ", and those of " + counted(count - 1, "more pair") + " in many" : "") +
-         "; if they have to work closer together than the clearance, use a smaller clearance";
-}
-
-/// `unfitted`: links that the options keep or remove.
-std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted) {
-  std::vector<std::string> notes = fit.notes;
-  if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were left out of the fit");
-  if (unfitted > 0)
-    notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
-  if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
-  if (const std::string note = noteOnNearPairs(fit); !note.empty()) notes.push_back(note);
-  if (!fit.scene_contact.empty()) notes.push_back("the original meshes are in contact with the scene at rest: " + fit.scene_contact);
-  const std::string touched =
-      "the original meshes touch the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
-  if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");
-  if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))
-    notes.push_back(touched +
-                    " sampled configurations, and a fit learns from the others alone; if the robot does not stand there, move the " +
-                    "scene, or give the configurations that matter");
-  if (fit.leaf_contacts > 0) {
-    notes.push_back(counted(fit.leaf_contacts, "counterexample") + (fit.leaf_contacts == 1 ? " remains" : " remain") +
-                    " even with the finest hulls, such as " + fit.leaf_contact + "; use a smaller tolerance");
-  }
-  return notes;
-}
-
-/// [m] How far from the root the joints can take a link's frame, all stretched out.
-double reachOf(const RobotDescription& robot) {
-  std::map<std::string, double> reach;  // by link
-  double largest = 0;
-  for (const JointDescription& joint : robot.joints) {  // parents before children
-    const bool slides = joint.kind == JointDescription::Kind::kPrismatic;
-    const double way = slides ? std::max(std::abs(joint.lower), std::abs(joint.upper)) : 0;
-    reach[joint.child] = reach[joint.parent] + joint.origin.translation().norm() + way;
-    largest = std::max(largest, reach[joint.child]);
-  }
-  return largest;
-}
-
-/// A robot never keeps such a distance from itself: the model would not have to be free anywhere.
-void checkClearance(double clearance, const RobotDescription& robot) {
-  constexpr double kAlwaysAllowed = 1;  // [m] for robots without joints, too
-  const double reach = reachOf(robot);
-  if (clearance <= std::max(kAlwaysAllowed, reach)) return;
-  throw Error(ErrorCode::kBadOption, "clearance '" + toString(lengthOf(clearance)) + "' is more than robot '" + robot.name + "' reaches (" +
-                                         millimetres(reach) + "): did you mean " + toString(lengthOf(clearance / 1000)) +
-                                         "? Without a unit, a number is in metres");
-}
-
-/// [m] From the root's origin to the body's bounding box.
-double distanceTo(const SceneBody& body) {
-  Eigen::AlignedBox3d box;
-  const auto extend = [&](const auto& shape) {
-    for (const Eigen::Vector3d& p : shape.vertices) box.extend(body.pose * p);
-  };
-  std::visit(extend, body.shape);
-  return box.exteriorDistance(Eigen::Vector3d::Zero());
-}
-
-/// A scene in millimetres is a thousand times too far away.
-std::vector<std::string> notesOnFarScene(const Scene& scene, double clearance, const RobotDescription& robot) {
-  if (scene.bodies.empty()) return {};
-  std::vector<double> distances;
-  for (const SceneBody& body : scene.bodies) distances.push_back(distanceTo(body));
-  const auto nearest = std::min_element(distances.begin(), distances.end());
-  if (*nearest <= reachOf(robot) + kLargestLink + clearance) return {};
-  return {"no body of scene '" + scene.name + "' comes near the robot: the nearest, '" +
-          scene.bodies[static_cast<std::size_t>(nearest - distances.begin())].name + "', is " + decimal(*nearest, 3) +
-          " m from its root link; sizes and poses of a scene are in metres"};
-}
-
-/// Refuses padding and shapes; names the link unless all links have the same.
-void refuseLinkSettings(const RobotDescription& robot, const Options& options, const LinkDecisions& decisions) {
-  for (const LinkDescription& link : robot.links) {
-    const LinkOptions* const decided = decisions.of(link.name);
-    if (!decided || decided->action != Action::kDecompose) continue;
-    const auto ofLink = [&](bool is_for_all) { return is_for_all ? std::string() : " of link '" + link.name + "'"; };
-    if (decided->padding > 0)
-      throw Error(ErrorCode::kBadOption, "padding '" + toString(lengthOf(decided->padding)) + "'" +
-                                             ofLink(decided->padding == options.padding) +
-                                             " does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
-    if (decided->shapes != Shapes::kHulls)
-      throw Error(ErrorCode::kBadOption, std::string("shapes '") + name(decided->shapes) + "'" + ofLink(decided->shapes == options.shapes) +
-                                             " does not apply to fit_scene, which takes primitives where the scene allows; omit it");
-  }
-}
-
-void refuseOtherWays(const RobotDescription& robot, const Options& options, const LinkDecisions& decisions) {
-  if (!options.models.empty())
-    throw Error(ErrorCode::kBadOption,
-                "model '" + options.models.front().name + "': a scene decides on the detail, so fitting makes one model; omit it");
-  if (options.tree)
-    throw Error(ErrorCode::kBadOption, "tree '" + toString(*options.tree) +
-                                           "' does not apply to fit_scene, whose trees always have leaves for the tolerance; omit it");
-  if (options.time_limit > 0)
-    throw Error(ErrorCode::kBadOption, "time-limit does not apply to fit_scene, which needs whole hull trees; omit it");
-  if (!options.region_rules.empty()) {
-    const RegionRule& first = options.region_rules.front();
-    throw Error(ErrorCode::kBadOption,
-                (first.place.empty() ? "" : first.place + ": ") + "region '" + first.name +
-                    "' does not apply to fit_scene, where the scene alone decides how far hulls protrude; omit it, or use decompose");
-  }
-  refuseLinkSettings(robot, options, decisions);
-  const std::string& link = decisions.firstOfOtherMethod();
-  if (link.empty()) return;
-  const std::string& place = decisions.otherMethodPlace();
-  throw Error(ErrorCode::kBadOption, (place.empty() ? "" : place + ": ") + "method '" + name(decisions.of(link)->method) + "'" +
-                                         (place.empty() ? "" : " of link '" + link + "'") +
-                                         " builds no hull tree, which fitting to a scene needs; use certified" +
-                                         (place.empty() ? "" : ", or keep the link"));
 }
 
 /// All stages. Fills the report's scene, unless every link has a failed mesh. Returns the pairs of links that the fit disables.

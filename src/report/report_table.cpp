@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/counted.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/report/totals.h"
@@ -22,10 +23,6 @@ namespace {
 
 constexpr std::size_t kTextColumns = 2;  // link and mesh, or two links
 constexpr std::ptrdiff_t kLeastColumn = 4;
-
-std::string lastPart(const std::string& uri) {
-  return uri.substr(uri.find_last_of('/') + 1);
-}
 
 /// "3", "1 primitive", "3, 1 primitive"
 std::string bodies(std::size_t hulls, std::size_t primitives) {

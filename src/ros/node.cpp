@@ -26,12 +26,13 @@ DecomposeRequest toRequest(const FitSceneRequest& fit) {
 
 /// Writes the result. The fields that both responses have.
 template <typename Response>
-Response written(RobotResult& result, const std::string& output, bool brief, const RunControl& control) {
+Response written(RobotResult& result, const std::string& output, const std::vector<std::string>& package_path, bool brief,
+                 const RunControl& control) {
   Response response;
   response.success = !anyFailed(result.report);
   response.message = summary(result.robot_name, result.report);
   if (writeOutput(result, output, control)) {
-    response.message += howToUse(result, output);
+    response.message += howToUse(result, output, package_path);
     response.message.pop_back();  // its last line's end
     response.urdf_path = output + "/" + result.report.urdf;
   } else {
@@ -103,7 +104,7 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
 
   const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, job.stated(view.shown(logged(step))));
-  DecomposeResponse response = written<DecomposeResponse>(result, output, request.brief, control);
+  DecomposeResponse response = written<DecomposeResponse>(result, output, places_.packagePath(), request.brief, control);
   if (!response.urdf_path.empty()) show(input.robot, decisions, result);
   return response;
 }
@@ -128,7 +129,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result =
       fitRobotToScene(input.robot, input.find_package, scene, options, output, control, job.stated(view.shown(logged(step))));
-  FitSceneResponse response = written<FitSceneResponse>(result, output, request.brief, control);
+  FitSceneResponse response = written<FitSceneResponse>(result, output, places_.packagePath(), request.brief, control);
   if (!response.urdf_path.empty()) show(input.robot, decisions, result, &scene.scene);
   if (!request.brief && !result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
@@ -193,14 +194,16 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   const bool has_parameter = node_.searchParam("robot_description", key) && node_.getParam(key, parameter);
   checkBase(base);
   if (!text.empty() && (!base.empty() || text != parameter)) {
-    refusePath(text);
+    refusePath(text, "send the text of the URDF, and the path as `base`");
     return parseRobotDescription(text, base, control);
   }
-  if (!has_parameter) {
-    throw Error(ErrorCode::kFileNotFound, "no robot description: the request has none and the parameter " +
-                                              node_.resolveName("robot_description") + " is not set to a text; give either");
+  if (parameter.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw Error(ErrorCode::kFileNotFound,
+                "no robot description: the request has none, and the parameter " +
+                    (has_parameter ? key + " is empty" : node_.resolveName("robot_description") + " is not set to a text") +
+                    "; give either");
   }
-  refusePath(parameter);
+  refusePath(parameter, "set the parameter to the text of the URDF, as <param name=\"robot_description\" textfile=\"...\"/> does");
   if (!base.empty()) return parseRobotDescription(parameter, base, control);
   const std::string own = textParameter(private_, "base");
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);

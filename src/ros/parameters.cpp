@@ -233,12 +233,11 @@ void checkTexts(const ValidateRequest& request) {
   for (const std::string& link : request.only) checkText("only", link);
 }
 
-void refusePath(const std::string& robot_description) {
+void refusePath(const std::string& robot_description, const std::string& remedy) {
   const std::string line = trimmed(robot_description, " \t\r\n"), extension = lowerExtension(line);
   const bool is_path = !line.empty() && (line.front() == '/' || extension == ".urdf" || extension == ".xacro");
   if (is_path && line.find('\n') == std::string::npos)
-    throw Error(ErrorCode::kBadOption,
-                "robot_description is the path '" + shown(line) + "': send the text of the URDF, and the path as `base`");
+    throw Error(ErrorCode::kBadOption, "robot_description is the path '" + shown(line) + "': " + remedy);
 }
 
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {

@@ -21,6 +21,8 @@ class NodePlaces {
   /// Asks ROS for a package first, then looks near a description and in ~package_path. Throws kBadOption for a folder there that is none.
   PackageFinder packageFinder(const std::string& near) const;
 
+  const std::vector<std::string>& packagePath() const { return package_path_; }
+
   /// What a request may reach: for reading ~read_roots, ~package_path, packages, the description's folder and all that may be written; for
   /// writing what lies below ~output_root, and ~output.
   Roots roots() const;

@@ -101,6 +101,13 @@ Columns columnsOf(const Cells& header, const std::string& where) {
   return columns;
 }
 
+/// The joints that a header names.
+Names namesIn(const Columns& columns) {
+  Names names;
+  for (const std::size_t column : columns.positions) names.emplace_back(columns.header[column]);
+  return names;
+}
+
 void addRow(const Columns& columns, const Cells& cells, const std::string& where, ConfigurationCollector& collector,
             const RunControl& control) {
   if (cells.size() != columns.header.size()) {
@@ -134,6 +141,7 @@ void readCsv(const std::string& text, const std::string& file, ConfigurationColl
       const std::size_t first = line.find_first_of(",;\t");
       if (first != std::string_view::npos) separator = line[first];
       columns = columnsOf(split(line, separator, where, control), where);
+      if (columns.names.empty()) collector.expectJoints(namesIn(columns), where);
     } else {
       addRow(columns, split(line, separator, where, control), where, collector, control);
     }

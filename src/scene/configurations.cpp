@@ -72,6 +72,19 @@ ConfigurationCollector::ConfigurationCollector(const Kinematics& kinematics, con
   for (const NamedJoint& joint : kinematics.joints()) joints_[joint.name] = joint;
 }
 
+void ConfigurationCollector::expectJoints(const std::vector<std::string>& names, const std::string& where) const {
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (joints_.count(name) == 0) {
+      std::vector<std::string> known;
+      for (const auto& [joint, unused] : joints_) known.push_back(joint);
+      failConfigurations(where, "the robot has no joint '" + shown(name) + "'; " +
+                                    (known.empty() ? "it has no joints" : "its joints are " + listed(known) + didYouMean(name, known)));
+    }
+    if (!seen.insert(name).second) failConfigurations(where, "joint '" + name + "' appears twice; remove one");
+  }
+}
+
 void ConfigurationCollector::add(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where,
                                  const RunControl& control) {
   control.check();
@@ -83,18 +96,10 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
     failConfigurations(where,
                        counted(positions.size(), "position") + " for " + counted(names.size(), "joint") + "; give each joint one position");
   }
-  std::set<std::string> seen;
+  expectJoints(names, where);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto joint = joints_.find(names[i]);
-    if (joint == joints_.end()) {
-      std::vector<std::string> known;
-      for (const auto& [name, unused] : joints_) known.push_back(name);
-      failConfigurations(where, "the robot has no joint '" + shown(names[i]) + "'; " +
-                                    (known.empty() ? "it has no joints" : "its joints are " + listed(known) + didYouMean(names[i], known)));
-    }
-    if (!seen.insert(names[i]).second) failConfigurations(where, "joint '" + names[i] + "' appears twice; remove one");
     if (!std::isfinite(positions[i])) failConfigurations(where, "joint '" + names[i] + "' has a position that is not finite");
-    put(joint->second, positions[i], where);
+    put(joints_.at(names[i]), positions[i], where);
   }
   expectNear(joints_, current_, where);
   compareMimics(names, positions, where);

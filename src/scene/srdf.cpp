@@ -28,7 +28,7 @@ LinkPair inOrder(const std::string& a, const std::string& b) {
 class SrdfReader {
  public:
   SrdfReader(const RobotDescription& robot, std::string label, const RunControl& control)
-      : label_(std::move(label)), look_(control, kLargeItemsBetweenLooks) {
+      : label_(std::move(label)), robot_(robot.name), look_(control, kLargeItemsBetweenLooks) {
     for (const LinkDescription& link : robot.links) links_.push_back(link.name);
     known_.insert(links_.begin(), links_.end());
   }
@@ -45,6 +45,12 @@ class SrdfReader {
     for (const XmlNode* element : root.childrenNamed("enable_collisions")) enable(pairOf(*element));
     dropEnabled();
     for (const XmlNode* element : root.childrenNamed("disable_collisions")) disable(pairOf(*element), element->attribute("reason"));
+    if (left_out_ > 0 && !names_a_pair_)
+      fail(root,
+           "no pair names two links of the robot '" + robot_ + "', which has no '" + first_unknown_ + "'; give the SRDF of this robot");
+    if (const std::string name = root.attribute("name"); !name.empty() && name != robot_)
+      result_.notes.push_back(label_ + " is for the robot '" + shortened(name) + "', and the description is of '" + robot_ +
+                              "'; its pairs count where the links have the same names");
     if (left_out_ > 0) {
       result_.notes.push_back(label_ + ": " + counted(left_out_, "pair names", "pairs name") +
                               " links that the robot does not have, first '" + first_unknown_ + "'; " +
@@ -73,6 +79,7 @@ class SrdfReader {
       leaveOut(link, 1);
       return false;
     }
+    names_a_pair_ = true;
     return true;
   }
 
@@ -100,17 +107,19 @@ class SrdfReader {
     look_();
     if (!by_default_.insert(link).second) return;  // all pairs of it are disabled already
     if (known_.count(link) == 0) return leaveOut(link, links_.size());
+    names_a_pair_ = true;
     for (const std::string& other : links_) {
       if (other != link) disable({link, other}, "Default");
     }
   }
 
-  std::string label_;
+  std::string label_, robot_;
   Looks look_;
   std::vector<std::string> links_;
   std::set<std::string> known_;
   std::set<std::string> by_default_;
   std::set<LinkPair> disabled_;
+  bool names_a_pair_ = false;
   std::size_t left_out_ = 0;
   std::string first_unknown_;
   DisabledPairs result_;

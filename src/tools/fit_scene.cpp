@@ -74,8 +74,18 @@ void addOptions(CommandLine& app, SceneCommand& command) {
   app.hide({"method", "padding", "scale", "segments", "shapes", "spheres", "time-limit", "tree"});
 }
 
+/// Refuses what would ask for an option that is refused here in turn.
+void refuseForDecompose(const RobotCommand& command) {
+  if (command.given.names.count("segments") > 0)
+    throw Error(ErrorCode::kBadOption, "--segments shows clusters of method 'hacd', which builds no hull tree to fit; use decompose");
+  for (const std::string& name : command.consumer_names)
+    if (name == collision_hulls::name(Consumer::kCurobo))
+      throw Error(ErrorCode::kBadOption, "--for curobo needs a model of spheres alone, which is not fitted to a scene; use decompose");
+}
+
 /// Checks what needs no file, so that nothing is read in vain.
 void interpret(SceneCommand& command) {
+  refuseForDecompose(command.robot);
   if (command.samples <= 0)
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
   command.clearance_metres = parseMetres(command.clearance, "--clearance");

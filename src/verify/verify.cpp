@@ -12,6 +12,7 @@
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/kinematics.h"
@@ -260,6 +261,16 @@ void check(const VerifyOptions& options) {
   if (!(options.close_openings >= 0)) refuse("close-openings", options.close_openings);
 }
 
+[[noreturn]] void refuseNothing(const RobotDescription& robot, const VerifyOptions& options) {
+  std::string where;
+  if (!options.links.empty()) {
+    std::vector<std::string> names;
+    for (const LinkDescription& link : robot.links) names.push_back(link.name);
+    where = " in links that match --links '" + options.links + "'; ORIGINAL's links are " + listedFirst(names, 12);
+  }
+  throw Error(ErrorCode::kBadOption, "there is nothing to compare: neither description has geometry" + where);
+}
+
 /// Two robots, given by mistake as one before and after.
 void refuseTwoRobots(const std::vector<LinkVerification>& rows) {
   const auto first = [&](LinkStatus status) {
@@ -304,10 +315,7 @@ Verification verify(const Description& original, const Description& result, cons
   check(options);
   Verification done;
   withJobs(options.jobs, [&] { done = Verifier(original, result, options, control).run(); });
-  if (done.links.empty())
-    throw Error(ErrorCode::kBadOption,
-                "there is nothing to compare: neither description has geometry" +
-                    (options.links.empty() ? std::string() : " in links that match --links '" + options.links + "'"));
+  if (done.links.empty()) refuseNothing(original.robot, options);
   refuseTwoRobots(done.links);
   return done;
 }

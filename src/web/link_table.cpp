@@ -9,6 +9,7 @@
 #include "base/decimal.h"
 #include "base/figure.h"
 #include "base/looks.h"
+#include "base/string_parts.h"
 #include "web/html_text.h"
 
 namespace collision_hulls {
@@ -28,10 +29,6 @@ int urgency(Status status) {
 
 bool hasHulls(const ElementReport& row) {
   return row.status == Status::kOk || row.status == Status::kDegraded;
-}
-
-std::string lastPart(const std::string& uri) {
-  return uri.substr(uri.find_last_of('/') + 1);
 }
 
 /// What is not known sorts below everything.

@@ -34,6 +34,12 @@ TEST(Listed, PutsAWordBetweenTwo) {
   EXPECT_EQ(listedFirst(std::vector<std::string>{"a", "b", "c", "d"}, 2), "a, b and 2 more");
 }
 
+TEST(LastPart, IsWhatStandsBehindTheLastSlash) {
+  EXPECT_EQ(lastPart("package://arm/meshes/base.dae"), "base.dae");
+  EXPECT_EQ(lastPart("base.dae"), "base.dae");
+  EXPECT_EQ(lastPart("meshes/"), "");
+}
+
 TEST(LowerExtension, IsThatOfTheFile) {
   EXPECT_EQ(lowerExtension("a/b.STL"), ".stl");
   EXPECT_EQ(lowerExtension("arm.urdf.Xacro"), ".xacro");

@@ -1,4 +1,4 @@
-// Also tests src/pipeline/scene_request.cpp.
+// Also tests src/pipeline/scene_request.cpp, src/pipeline/scene/fit_notes.cpp and src/pipeline/scene/fit_refusals.cpp.
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include <gtest/gtest.h>

@@ -95,6 +95,16 @@ class LaunchTest(unittest.TestCase):
             self.assertNotIn("Traceback (most", self.log())
             self.assertFalse(os.path.exists(self.folder.output))
 
+    def test_what_the_package_path_found_is_named_for_later(self):
+        package = self.folder.file("parts/foreign")
+        os.makedirs(package)
+        self.write("parts/foreign/package.xml", "<package format='2'><name>foreign</name></package>")
+        os.rename(self.folder.file("box.stl"), os.path.join(package, "box.stl"))
+        self.write("robot.urdf", robots.chain("small", [("base", robots.link("base", "package://foreign/box.stl"))]))
+        with self.launched("decompose.launch", f"package_path:={self.folder.file('parts')}"):
+            self.assertTrue(robots.wait_until(lambda: "Written to " + self.folder.output in self.log(), 60), self.log())
+        self.assertIn(f":{self.folder.file('parts')}:$ROS_PACKAGE_PATH", self.log())
+
     def test_names_with_quotes(self):
         name = "Bob's \"6\\7\" "
         for file in ("robot.urdf", "hulls.yaml"):

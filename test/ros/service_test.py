@@ -58,6 +58,12 @@ class ServiceTest(unittest.TestCase):
         for path in (self.folder.file("robot.urdf"), "robot.urdf", "robot.xacro\n"):
             self.assert_refused([path.strip(), "send the text of the URDF, and the path as `base`"], robot_description=path)
 
+    def test_a_parameter_that_is_no_description(self):
+        self.set_parameter("/robot_description", "/tmp/robot.urdf")
+        self.assert_refused(["/tmp/robot.urdf", "set the parameter to the text of the URDF"], robot_description="")
+        rospy.set_param("/robot_description", "")
+        self.assert_refused(["the parameter /robot_description is empty"], robot_description="")
+
     def test_not_a_robot(self):
         self.assert_refused(["robot"], robot_description="<sofa/>")
 

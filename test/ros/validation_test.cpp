@@ -62,9 +62,21 @@ TEST_F(ValidationTest, LargerHullsThanWhatIsProvedAreFalse) {
 }
 
 TEST_F(ValidationTest, LinksWithoutHullsAreNoneToCompare) {
-  links_.erase("arm");
+  const auto said = [&]() -> std::string {
+    try {
+      validate();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  links_["arm"].elements[0].hulls.clear();
   links_["base"].elements[0].hulls.clear();
-  EXPECT_THROW(validate(), Error);
+  EXPECT_NE(std::string::npos, said().find("links without hulls: 'arm', 'base'; ")) << said();
+  links_.erase("arm");
+  EXPECT_NE(std::string::npos, said().find("link 'base' has no hulls; ")) << said();
+  links_.clear();
+  EXPECT_NE(std::string::npos, said().find("call ~build or ~decompose first")) << said();
 }
 
 TEST_F(ValidationTest, AMeshThatIsGoneIsNamed) {

@@ -124,8 +124,8 @@ TEST(Configurations, CsvErrorsNameTheFaultAndTheLine) {
   const auto expectBadCsv = [](const std::vector<std::string>& parts, const std::string& text) {
     expectBad(ErrorCode::kBadConfigurations, parts, "a.csv", text);
   };
-  expectBadCsv({"line 2", "no joint 'elbow'", "a, b, c, f, m"}, "elbow\n1\n");
-  expectBadCsv({"line 2", "'a' appears twice"}, "a,a\n1,1\n");
+  expectBadCsv({"line 1", "no joint 'elbow'", "a, b, c, f, m"}, "elbow\n1\n");
+  expectBadCsv({"line 1", "'a' appears twice"}, "a,a\n1,1\n");
   expectBadCsv({"line 1", "'0.5'", "names"}, "0.5,1\n");
   expectBadCsv({"line 3", "2 cells", "1"}, "a\n1\n1,2\n");
   expectBadCsv({"line 2", "'x'", "joint 'a'"}, "a\nx\n");

@@ -56,7 +56,7 @@ TEST(Srdf, ALinkThatIsDisabledAgainOrUnknownCostsNoLookAtAllLinks) {
     known += "<disable_default_collisions link='l0'/>";
     unknown += "<disable_default_collisions link='x" + std::to_string(i) + "'/>";
   }
-  for (const std::string& text : {known, unknown}) {
+  for (const std::string& text : {known, "<disable_default_collisions link='l0'/>" + unknown}) {
     const std::size_t looks =
         looksOf([&](const RunControl& control) { parseDisabledPairs("<robot name='r'>" + text + "</robot>", large, "", control); });
     EXPECT_LT(looks, kNumber * kNumber / kLargeItemsBetweenLooks / 4) << text.substr(0, 50);
@@ -85,6 +85,21 @@ TEST(Srdf, IgnoresLinksOfOtherRobots) {
   EXPECT_NE(read.notes[0].find("'gripper'"), std::string::npos);
 }
 
+TEST(Srdf, ThatOfAnotherRobotIsRefused) {
+  for (const std::string pair : {"<disable_collisions link1='a' link2='gripper'/>", "<disable_default_collisions link='gripper'/>"})
+    expectError(ErrorCode::kNotAnSrdf, {"the robot 'r'", "no 'gripper'", "give the SRDF of this robot"}, [&] { parse(pair); });
+  EXPECT_TRUE(parse("<enable_collisions link1='a' link2='b'/><disable_collisions link1='a' link2='x'/>").pairs.empty());
+}
+
+TEST(Srdf, AnotherNameOfTheRobotIsANote) {
+  const std::string pair = "<disable_collisions link1='a' link2='b'/>";
+  const DisabledPairs read = parseDisabledPairs("<robot name='s'>" + pair + "</robot>", robot());
+  EXPECT_EQ(read.pairs.size(), 1u);
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_NE(read.notes[0].find("for the robot 's', and the description is of 'r'"), std::string::npos) << read.notes[0];
+  EXPECT_TRUE(parseDisabledPairs("<robot>" + pair + "</robot>", robot()).notes.empty());
+}
+
 TEST(Srdf, ErrorsNameTheFaultAndTheLine) {
   const auto expectBad = [](ErrorCode code, const std::vector<std::string>& parts, const std::string& text) {
     expectError(code, parts, [&] { parseDisabledPairs(text, robot(), "a.srdf"); });
@@ -100,7 +115,10 @@ TEST(Srdf, ReadsBackWhatItWrites) {
   const std::vector<DisabledPair> pairs{{"a", "b", "Adjacent", ""}, {"c", "a", "Never", "never within 0.31 m -- proved"}};
   const TemporaryFolder folder;
   const std::string text = srdfFragment("r & \"s\"", pairs);
-  const DisabledPairs read = readDisabledPairs(folder.write("a.srdf", text), robot());
+  RobotDescription of_that_name = robot();
+  of_that_name.name = "r & \"s\"";
+  const DisabledPairs read = readDisabledPairs(folder.write("a.srdf", text), of_that_name);
+  EXPECT_TRUE(read.notes.empty());
   ASSERT_EQ(read.pairs.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(read.pairs[i].link1, pairs[i].link1);

@@ -2,9 +2,9 @@
 #include "storage/cache_key.h"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include "pipeline/fixtures.h"
+#include "umask.h"
 
 namespace collision_hulls {
 namespace {
@@ -31,12 +31,11 @@ TEST(CacheKey, IsMadeOnceForItsOwnerAlone) {
 // Some systems let a user's group write by default.
 TEST(CacheKey, ItsFolderIsForItsOwnerAloneWhateverTheUmask) {
   const fixtures::TempFolder folder;
-  const mode_t before = umask(0002);
+  const Umask lax(0002);
   for (const char* const name : {"a", "b/c", "d/", "e/f/"}) {
     EXPECT_EQ(makeCacheKey(folder / name), "") << name;
     EXPECT_EQ(readCacheKey(folder / name).bytes.size(), 32u) << name << ": " << readCacheKey(folder / name).fault;
   }
-  umask(before);
 }
 
 TEST(CacheKey, WhereNoneCanBeMade) {

@@ -43,6 +43,11 @@ TEST_F(FitSceneProgram, HelpListsNoOptionThatIsRefused) {
   }
 }
 
+TEST_F(FitSceneProgram, NamesTheProgramForWhatNoFitHas) {
+  for (const std::string option : {"--segments", "--segments --method hacd", "--for curobo", "--for curobo --shapes spheres"})
+    expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm " + option, {option.substr(0, option.find(' ', 6)), "use decompose"});
+}
+
 TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf", {"--scene"});
   expectWrongUse("arm.urdf --scene notch.yaml", {"--clearance"});

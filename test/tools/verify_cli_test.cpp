@@ -49,6 +49,7 @@ TEST_F(VerifyProgram, WrongUse) {
   fixtures::write(folder_ / "r.urdf", fixtures::robot("r", fixtures::link("a", "")));
   expectWrongUse("bracket.obj r.urdf", {"bracket.obj", "is a mesh", "two robots or two meshes"});
   expectWrongUse("r.urdf r.urdf", {"nothing to compare"});
+  expectWrongUse("r.urdf r.urdf --links b", {"nothing to compare", "match --links 'b'; ORIGINAL's links are a"});
 }
 
 TEST_F(VerifyProgram, NobodyHasToReadTheTable) {

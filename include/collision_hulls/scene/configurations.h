@@ -84,6 +84,10 @@ class ConfigurationCollector {
   void add(const std::vector<std::string>& names, const std::vector<double>& positions,
            const std::string& where, const RunControl& control = {});
 
+  /// Throws kBadConfigurations for a name that the robot does not have, and for one that appears
+  /// twice: as add() does, where names come before any position.
+  void expectJoints(const std::vector<std::string>& names, const std::string& where) const;
+
   /// Ends a trajectory: nothing is interpolated between its last configuration and the next one
   /// added.
   void endTrajectory() { follows_ = false; }

@@ -29,7 +29,7 @@ struct DisabledPairs {
   /// pairs disabled by default first, the others in document order; no pair twice, in either order
   std::vector<DisabledPair> pairs;
   /// what was ignored: links that the robot does not have, as in an SRDF for several variants of a
-  /// robot
+  /// robot; and that the SRDF names another robot
   std::vector<std::string> notes;
 };
 
@@ -37,8 +37,8 @@ struct DisabledPairs {
 /// `<disable_default_collisions>` disables all pairs of a link, `<enable_collisions>` enables one
 /// of these again, and `<disable_collisions>` disables a pair. `path` (may be empty) appears in
 /// messages. Parsed in another process, as meshes are. Throws kNotXml; kNotAnSrdf, also for a link
-/// without a name and for more than a million pairs; kReaderFailed, kOutOfMemory, kOutOfTime,
-/// kCancelled.
+/// without a name, for more than a million pairs, and where none of the pairs is of this robot;
+/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
 DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot,
                                  const std::string& path = "", const RunControl& control = {});
 

@@ -14,6 +14,7 @@
 //   Effort::kBest does all this after Effort::kQuick has, and the cover of fewer hulls counts
 //   if a limit on hulls asks for fewer: a cut of treeAbove(cover), if it is near                     tree_building.h
 //     or all of this at larger tolerances, whichever protrudes less                                  hull_limit.h
+//     (where far fewer are asked for, the first way to split shows that, and the rest of the search is left out)
 //
 // All of this is done about the origin and along axes that turn with the mesh, where coordinates are finest and results hardly depend on
 // how the mesh lies.
@@ -71,7 +72,8 @@ constexpr double kCoarsest = 16, kCoarser = 4;
 constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
 constexpr std::size_t kBestElements = 150;
 constexpr std::size_t kMostToProve = 8;  // hulls; of covers with more, it can hardly ever be proved that none has fewer
-// A tree over more hulls than this, times the limit, is a worse cover than one at a larger tolerance, and takes longer.
+// A tree over more hulls than this, times the limit, is a worse cover than one at a larger tolerance, and takes longer. So nobody searches
+// for fewer of them.
 constexpr std::size_t kFewForTree = 4;
 // Progress: splitting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
 // splitting takes kSplitting; of Effort::kBest, the search of Effort::kQuick kQuickShare.
@@ -133,6 +135,7 @@ class Job {
   /// split, or not in time. groups_ is then what the cover's groups belong to.
   Cover cover() {
     Cover first = searched();
+    if (isFarTooMany(first.size())) return first;
     bool is_free = true;
     inTime([&] { is_free = freeOfPockets(first); });
     if (is_free) return first;
@@ -159,7 +162,7 @@ class Job {
     const std::string untried = untried_;
     const double most = boundingBox(mesh_).diagonal().norm();
     BoundedHulls best;
-    if (limit > 1 && cover.size() <= kFewForTree * limit) best = cutOfTree(cover, limit);
+    if (limit > 1 && !isFarTooMany(cover.size())) best = cutOfTree(cover, limit);
     searching_.stops_at_deadline = true;
     if (!searching_.late()) {
       std::unique_ptr<SurfaceGroups> groups = std::move(groups_);
@@ -190,10 +193,10 @@ class Job {
   }
 
   BoundedHulls cutOfTree(const Cover& cover, std::size_t limit) {
-    const HullTree tree = treeHere(cover, TreeBounds::kProved);
+    const HullTree tree = treeHere(cover, TreeBounds::kEstimated);  // the order of bounds is what counts
     std::vector<ConvexHull> hulls = tree.hullsOf(tree.cutTo(static_cast<int>(limit)));
     forEach(hulls.size(), [&](std::size_t i) { hulls[i] = capped(hulls[i], options_.max_vertices, control_); });
-    const double bound = boundOf(hulls);
+    const double bound = oracle_.bound(hulls);
     return {std::move(hulls), bound};
   }
 
@@ -202,14 +205,8 @@ class Job {
     groups_.reset();
     const Cover cover = this->cover();
     BoundedHulls result{cappedHulls(cover)};
-    if (result.hulls.size() <= limit) inTime([&] { result.bound = boundOf(result.hulls); });
+    if (result.hulls.size() <= limit) inTime([&] { result.bound = oracle_.bound(result.hulls); });
     return result;
-  }
-
-  double boundOf(const std::vector<ConvexHull>& hulls) {
-    double bound = 0;
-    for (const ConvexHull& hull : hulls) bound = std::max(bound, oracle_.bound(hull));
-    return bound;
   }
 
   void setTolerance(double tolerance) {
@@ -263,7 +260,7 @@ class Job {
     whole_ = {0, kQuickShare};
     Cover quick = searchedBy(planFor(Effort::kQuick), std::move(coarse));
     whole_ = {kQuickShare, 1};
-    if (searching_.late() || isMinimal(quick)) return quick;
+    if (searching_.late() || isFarTooMany(quick.size()) || isMinimal(quick)) return quick;
     std::unique_ptr<SurfaceGroups> groups_of_quick = std::move(groups_);
     divided_ = false;
     Cover best = searchedBy(plan_, {});
@@ -280,7 +277,7 @@ class Job {
     for (const Way& way : plan.ways) {
       if (groups_ && (searching_.late() || !isAtOwnTolerance())) break;
       const bool is_better = best.size() <= way.few && tryWay(plan, way, stretch, best);
-      if (is_better && untried_.empty() && isMinimal(best)) return best;
+      if (isFarTooMany(best.size()) || (is_better && untried_.empty() && isMinimal(best))) return best;
       stretch = {stretch.to, stretch.to + step};
     }
     if (!divided_ && coarse.groups) {
@@ -333,6 +330,11 @@ class Job {
     leaves_ = parts.size();
     return true;
   }
+
+  std::size_t limit() const { return static_cast<std::size_t>(options_.max_hulls); }  // on hulls; 0: none
+
+  /// Whether a limit on hulls asks for so many fewer that a larger tolerance is what can give them.
+  bool isFarTooMany(std::size_t hulls) const { return limit() > 0 && hulls > kFewForTree * limit(); }
 
   /// Hulls, than which no cover has fewer as far as is known. Two are what merging leaves where one, that of everything, was refused.
   std::size_t leastKnown() const { return std::max(std::size_t{2}, isAtOwnTolerance() ? least_.known().value_or(0) : 0); }

@@ -322,26 +322,51 @@ OutsideDistance::Largest ProtrusionOracle::summit(const ConvexHull& hull, double
   return summit;
 }
 
-double ProtrusionOracle::bound(const ConvexHull& exact) {
-  const ConvexHull hull = written(exact);
+double ProtrusionOracle::bound(const std::vector<ConvexHull>& hulls) {
+  std::vector<Skin> skins;
+  double floor = 0;
+  for (const ConvexHull& hull : hulls) {
+    skins.push_back(skinOf(hull));
+    floor = std::max(floor, skins.back().floor());
+  }
+  double most = 0;
+  for (const Skin& skin : skins) most = std::max(most, boundWithin(skin, std::max(floor, most)));
+  return most;
+}
+
+double ProtrusionOracle::estimate(const ConvexHull& hull) {
+  return skinOf(hull).floor();
+}
+
+ProtrusionOracle::Skin ProtrusionOracle::skinOf(const ConvexHull& exact) {
+  Skin skin{written(exact)};
   OutsideDistance::Query query;
   query.ceiling = std::numeric_limits<double>::infinity();
   query.resolution = kFineCell * tolerance_;
-  const OutsideDistance::Largest seen = outside_.largest(hull, query, control_);
+  skin.found = outside_.largest(skin.hull, query, control_).found;
+  skin.gap = std::max(kLooseGap * tolerance_, kLooseShare * skin.found);
   SurfaceQuery on;
-  on.floor = seen.found;
-  on.gap = std::max(kLooseGap * tolerance_, kLooseShare * seen.found);
+  on.floor = skin.found;
+  on.gap = skin.gap;
   on.halvings = kLooseHalvings;
   on.known = &outside_;
-  const double on_surface = largestOnSurface(hull, solid_, on, control_).bound;
-  query.floor = std::max(seen.found, on_surface) + on.gap;
-  query.resolution = on.gap;
+  skin.bound = largestOnSurface(skin.hull, solid_, on, control_).bound;
+  return skin;
+}
+
+/// The bound for the inside of a hull as well, and in regions; at least `floor` [m].
+double ProtrusionOracle::boundWithin(const Skin& skin, double floor) {
+  OutsideDistance::Query query;
+  query.ceiling = std::numeric_limits<double>::infinity();
+  query.floor = floor;
+  query.resolution = skin.gap;
   query.summits_only = true;
-  query.surface_bound = on_surface;
-  query.depth = leastWidth(hull, control_) / 2;
-  double most = outside_.largest(hull, query, control_).bound;
+  query.surface_bound = skin.bound;
+  query.depth = leastWidth(skin.hull, control_) / 2;
+  double most = outside_.largest(skin.hull, query, control_).bound;
   for (const Watch& watch : watches_)
-    if (const std::optional<ConvexHull> part = partIn(hull, watch.region)) most = std::max(most, watch.oracle->bound(*part) / watch.ratio);
+    if (const std::optional<ConvexHull> part = partIn(skin.hull, watch.region))
+      most = std::max(most, watch.oracle->bound({*part}) / watch.ratio);
   return most;
 }
 

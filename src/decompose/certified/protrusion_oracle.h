@@ -88,9 +88,15 @@ class ProtrusionOracle {
   /// glance does not find are rare: first do without, and ask about the hulls that remain.
   void provePockets();
 
-  /// An upper bound on any hull's protrusion, within a few per cent of it or of the tolerance. What
-  /// protrudes in a region counts for more, by as much as its tolerance is smaller.
-  double bound(const ConvexHull& hull);
+  /// [m] An upper bound on the largest protrusion of any hulls, within a few per cent of it or of
+  /// the tolerance. What protrudes in a region counts for more, by as much as its tolerance is
+  /// smaller. Of hulls that protrude less than others nothing closer is asked, so one call for all
+  /// takes far less than one for each.
+  double bound(const std::vector<ConvexHull>& hulls);
+
+  /// [m] For one hull, the bound for its surface, or the distance of an inner point if a larger one
+  /// came to light: a pocket may be deeper.
+  double estimate(const ConvexHull& hull);
 
   /// Points of the hull outside the solid by more than the tolerance, evenly spread: at least one,
   /// at most twice `wanted`.
@@ -136,6 +142,14 @@ class ProtrusionOracle {
   void remember(const Eigen::Vector3d& intruder);
   void rememberOnSurface(const Eigen::Vector3d& intruder, const ConvexHull& hull);
   double intrusion() const;
+  /// A hull as it is written, and what its surface tells.
+  struct Skin {
+    ConvexHull hull;
+    double found = 0, bound = 0, gap = 0;  // [m] of the distance from the solid: at a point; on the surface; and how close bounds are
+    double floor() const { return std::max(found, bound) + gap; }
+  };
+  Skin skinOf(const ConvexHull& exact);
+  double boundWithin(const Skin& skin, double floor);
 
   const Solid& solid_;
   const RunControl& control_;

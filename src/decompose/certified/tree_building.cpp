@@ -54,9 +54,13 @@ class Building {
     return kAmple * all.mean();
   }
 
-  /// Every hull holds some of the surface, so none of its points is further away than the diagonal is long.
   double boundOf(const ConvexHull& hull) const {
-    return bounds_ == TreeBounds::kProved ? oracle_.bound(hull) : boundingBox(hull).diagonal().norm();
+    switch (bounds_) {
+      case TreeBounds::kProved: return oracle_.bound({hull});
+      case TreeBounds::kEstimated: return oracle_.estimate(hull);
+      case TreeBounds::kDiagonal: break;
+    }
+    return boundingBox(hull).diagonal().norm();  // every hull holds some of the surface
   }
 
   int add(const ConvexHull& hull, const Widths& widths, double protrusion, int left, int right) {

@@ -9,8 +9,9 @@
 namespace collision_hulls {
 
 enum class TreeBounds {
-  kProved,   ///< close ones
-  kDiagonal  ///< of the hull's box, which takes no time
+  kProved,     ///< close ones
+  kEstimated,  ///< for the hulls' surfaces: close, but a pocket inside may be further from the solid
+  kDiagonal    ///< of the hull's box, which takes no time
 };
 
 /// The groups as leaves, merged up to a single root. At any tolerance, the coarsest cut of the tree

@@ -2,6 +2,7 @@
 // type). Chunks that are packed have any length: filled up to four bytes, a file that is too short would pass for a complete one.
 #include "mesh/formats/gltf_container.h"
 
+#include "base/string_parts.h"
 #include "geometry/bytes.h"
 #include "mesh/formats/scan.h"
 
@@ -57,7 +58,11 @@ bool isPackedGltf(std::string_view bytes) {
 }
 
 GltfParts gltfParts(std::string_view bytes, const std::string& path) {
-  if (!isGltfContainer(bytes)) return {false, checkedText(bytes, path), {}};
+  if (!isGltfContainer(bytes)) {
+    if (lowerExtension(path) == ".glb" && trimmed(bytes.substr(0, kHeaderBytes), " \t\r\n").substr(0, 1) != "{")
+      failNotAMesh(path, "does not begin with 'glTF' and a version, as binary glTF does");
+    return {false, checkedText(bytes, path), {}};
+  }
   checkHeader(bytes, path);
   GltfParts parts;
   parts.packed = isPackedGltf(bytes);

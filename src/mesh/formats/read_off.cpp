@@ -49,7 +49,8 @@ class OffReader {
     return line_;
   }
 
-  /// An optional keyword, then the numbers of vertices, faces and edges; programs leave out the last.
+  /// An optional keyword, then the numbers of vertices, faces and edges. Programs leave out the last, and the space behind the keyword (as
+  /// in many files of ModelNet).
   void readHeader() {
     if (!nextLine()) failHeader();
     std::string_view rest = line_;
@@ -61,6 +62,8 @@ class OffReader {
         rest = line_;
         word = nextWord(&rest);
       }
+    } else if (word.substr(0, 3) == "OFF") {
+      word.remove_prefix(3);
     }
     std::int64_t edges = 0;
     if (!parseInteger(word, &vertices_) || !parseInteger(nextWord(&rest), &faces_) || vertices_ < 0 || faces_ < 0) failHeader();

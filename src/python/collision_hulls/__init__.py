@@ -250,6 +250,8 @@ def _words(options: Dict[str, Any]) -> List[bytes]:
         if keyword not in known:
             raise _unknown(keyword, list(known))
         option, takes_value = known[keyword]
+        if keyword == "links" and isinstance(value, (list, tuple)) and value:
+            raise Error(f"links {value!r} is not understood: it takes one regular expression, as in links={'|'.join(map(str, value))!r}", "BadOption")
         if takes_value:
             for text in _texts(keyword, value):
                 words += [option + b"=" + text] if text else [option, text]
@@ -325,7 +327,8 @@ def _array(value: Any, name: str, kinds: str, content: str) -> numpy.ndarray:
     if array.size == 0 and array.ndim < 3:
         return numpy.empty((0, 3))
     if array.ndim != 2 or array.shape[1] != 3:
-        raise Error(f"{name} has the shape {array.shape}; give N x 3 {content}", "NotAMesh")
+        divide = "divide each polygon into triangles, and " if name == "faces" and array.ndim == 2 and array.shape[1] > 3 else ""
+        raise Error(f"{name} has the shape {array.shape}; {divide}give N x 3 {content}", "NotAMesh")
     if array.dtype.kind not in kinds:
         raise Error(f"{name} has the type {array.dtype}; give {content}", "NotAMesh")
     return array

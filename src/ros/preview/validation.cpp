@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "pipeline/run.h"
 #include "pipeline/stages.h"
@@ -72,13 +73,21 @@ void expectRead(const Run& run) {
     if (result && result->status == Status::kFailed) throw Error(ErrorCode::kFileNotFound, result->reason);
 }
 
+[[noreturn]] void refuseWithoutHulls(const std::map<std::string, LinkResult>& links) {
+  if (links.empty())
+    throw Error(ErrorCode::kBadOption, "no hulls are known that could be compared with their meshes: call ~build or ~decompose first");
+  std::vector<std::string> names;
+  for (const auto& [name, result] : links) names.push_back("'" + name + "'");
+  const std::string who = names.size() == 1 ? "link " + names.front() + " has no hulls" : "links without hulls: " + listedFirst(names, 3);
+  throw Error(ErrorCode::kBadOption, who + "; what has no mesh, or is kept as it is, cannot be compared: choose links with hulls");
+}
+
 }  // namespace
 
 Validation validateLinks(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
                          const std::map<std::string, LinkResult>& links, const RunControl& control, const StepCallback& step) {
   const Places places(robot, links);
-  if (places.uses.empty())
-    throw Error(ErrorCode::kBadOption, "no hulls are known that could be compared with their meshes: call ~build or ~decompose first");
+  if (places.uses.empty()) refuseWithoutHulls(links);
   Validation validation;
   RobotResult rows = emptyResult(robot, options, control);  // of no use here
   runStages({places.uses, resolverFor(robot, find_package, control), kReadShare, control, step}, rows, [&](Run& run) {

@@ -85,7 +85,7 @@ TEST(Oracle, ExactBoxesFit) {
   EXPECT_TRUE(subject.oracle.mayFit(hull));
   EXPECT_TRUE(subject.oracle.mayWellFit(hull));
   EXPECT_TRUE(subject.oracle.fits(hull));
-  EXPECT_LE(subject.oracle.bound(hull), 0.02 * 0.01);
+  EXPECT_LE(subject.oracle.bound({hull}), 0.02 * 0.01);
 }
 
 TEST(Oracle, TheHullOfAChannelDoesNotFitButItsWallsDo) {
@@ -202,9 +202,38 @@ TEST(Oracle, BoundsAreAboveTheTruthAndClose) {
   Subject subject(lBracket(), 0.02);
   const ConvexHull hull = hullOf(subject.mesh.mesh);
   const double exact = protrusion({hull}, subject.solid, 1e-4).found;
-  const double bound = subject.oracle.bound(hull);
+  const double bound = subject.oracle.bound({hull});
   EXPECT_GE(bound, exact);
   EXPECT_LE(bound, 1.05 * exact + 0.05 * 0.02);
+}
+
+TEST(Oracle, ABoundForSeveralHullsIsThatOfTheWorst) {
+  for (const std::vector<std::size_t>& order : {std::vector<std::size_t>{0, 1, 2}, {2, 1, 0}, {1, 0, 2}}) {
+    Subject subject(lBracket(), 0.02);
+    const ConvexHull whole = hullOf(subject.mesh.mesh);
+    const std::vector<ConvexHull> all{whole, boxHull({0, 0, 0}, {0.2, 0.2, 0.2}), boxHull({0, 0, 0}, {0.3, 0.3, 0.3})};
+    std::vector<ConvexHull> hulls;
+    for (const std::size_t i : order) hulls.push_back(all[i]);
+    const double exact = protrusion(hulls, subject.solid, 1e-4).found, bound = subject.oracle.bound(hulls);
+    EXPECT_GE(bound, exact);
+    EXPECT_LE(bound, 1.05 * exact + 0.05 * 0.02);
+    for (const ConvexHull& hull : hulls) EXPECT_GE(bound, protrusion({hull}, subject.solid, 1e-4).found);
+  }
+  EXPECT_EQ(Subject(lBracket(), 0.02).oracle.bound({}), 0);
+}
+
+/// Cells are far larger than the hollow here, and off its middle, so that nothing comes to light by chance.
+TEST(Oracle, ABoundForSeveralHullsHoldsForTheirPockets) {
+  const ConvexHull hull = hullOf(flask());
+  const Eigen::AlignedBox3d box = boundingBox(hull);
+  const TriangleMesh mesh = merged({flask(), moved(test_shapes::box(1, 1, 1), {17, 13, 11})});
+  const ConvexHull top = boxHull(box.max() - Eigen::Vector3d::Constant(0.1), box.max());
+  for (const std::vector<ConvexHull>& hulls : {std::vector<ConvexHull>{hull, top}, {top, hull}}) {
+    Subject subject(mesh, 20);
+    const double exact = protrusion({hull}, subject.solid, 1e-3).found;
+    EXPECT_LT(subject.oracle.estimate(hull), 0.9 * exact) << "an estimate, which misses the hollow";
+    EXPECT_GE(subject.oracle.bound(hulls), exact);
+  }
 }
 
 /// No point on the surface of the flask's hull is further from the flask than half the neck's width, but the middle of its hollow is.
@@ -286,7 +315,7 @@ TEST(Oracle, CanBeCancelled) {
   const ConvexHull hull = hullOf(subject.mesh.mesh);
   EXPECT_THROW(subject.oracle.mayFit(hull), Error);
   EXPECT_THROW(subject.oracle.fits(hull), Error);
-  EXPECT_THROW(subject.oracle.bound(hull), Error);
+  EXPECT_THROW(subject.oracle.bound({hull}), Error);
   EXPECT_THROW(subject.oracle.intruders(hull, 10), Error);
 }
 

@@ -23,11 +23,23 @@ TEST(TreeBuilding, WithoutProofTheBoundsAreDiagonals) {
   const HullTree tree = treeOf(subject, TreeBounds::kDiagonal);
   ASSERT_GT(tree.nodes.size(), 1u);
   for (const HullNode& node : tree.nodes) {
-    EXPECT_GE(node.protrusion, subject.oracle.bound(node.hull));
+    EXPECT_GE(node.protrusion, subject.oracle.bound({node.hull}));
     EXPECT_GE(node.protrusion, boundingBox(node.hull).diagonal().norm());
     if (node.parent >= 0) {
       EXPECT_LE(node.protrusion, tree.nodes[static_cast<std::size_t>(node.parent)].protrusion);
     }
+  }
+}
+
+TEST(TreeBuilding, EstimatesAreThoseOfTheSurfaces) {
+  Subject subject(torus(1, 0.3, 16, 8), 0.15);
+  const HullTree tree = treeOf(subject, TreeBounds::kEstimated);
+  ASSERT_GT(tree.nodes.size(), 5u);
+  for (const HullNode& node : tree.nodes) {
+    double most = subject.oracle.estimate(node.hull);
+    for (const int child : {node.left, node.right})
+      if (child >= 0) most = std::max(most, tree.nodes[static_cast<std::size_t>(child)].protrusion);
+    EXPECT_NEAR(node.protrusion, most, 0.05 * most);
   }
 }
 

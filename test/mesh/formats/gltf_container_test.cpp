@@ -7,9 +7,9 @@ namespace {
 
 using namespace test_files;
 
-std::string refusal(const std::string& bytes) {
+std::string refusal(const std::string& bytes, const std::string& path = "a.gltf") {
   try {
-    gltfParts(bytes, "a.gltf");
+    gltfParts(bytes, path);
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kNotAMesh) << error.what();
     return error.what();
@@ -47,6 +47,12 @@ TEST(GltfContainer, TextIsJson) {
   EXPECT_EQ(gltfParts(packedGltf("\xEF\xBB\xBF{}", {}), "a.gltf").json, "{}");
   for (const std::string& bytes : {std::string("{\0}", 3), packedGltf(std::string("{\0}", 3), {})})
     EXPECT_NE(refusal(bytes).find("holds a zero byte"), std::string::npos);
+}
+
+TEST(GltfContainer, ABinaryFileThatBeginsOtherwiseIsNone) {
+  for (const std::string bytes : {"", "glTF", "solid cube of a length", "\x7F\x45\x4C\x46 and more bytes"})
+    EXPECT_NE(refusal(bytes, "a.GLB").find("does not begin with 'glTF' and a version"), std::string::npos) << bytes;
+  EXPECT_EQ(refusal(" \n{\"asset\": {}}", "a.glb"), "") << "the text alone";
 }
 
 TEST(GltfContainer, DamagedOnes) {

@@ -12,8 +12,8 @@ const std::vector<Eigen::Vector3d> kFirst{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}};
 const std::vector<Triangle> kOne{{0, 1, 2}};
 
 TEST(ReadOff, Headers) {
-  for (const char* header : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "3 1 0\n", "OFF\n3 1\n", "# note\n\nOFF # here\n# there\n3 1 3 # and here\n",
-                             "\xEF\xBB\xBFOFF\r\n3 1 0\r\n", "OFF\r3 1 0\r"})
+  for (const char* header : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "3 1 0\n", "OFF\n3 1\n", "OFF3 1 0\n",
+                             "# note\n\nOFF # here\n# there\n3 1 3 # and here\n", "\xEF\xBB\xBFOFF\r\n3 1 0\r\n", "OFF\r3 1 0\r"})
     expectMesh("a.off", header + kData, kFirst, kOne);
 }
 

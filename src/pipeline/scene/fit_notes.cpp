@@ -1,0 +1,112 @@
+// Looks for each note's cause in the report of the fit, in the robot and in the scene.
+#include "pipeline/scene/fit_notes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <variant>
+
+#include "base/counted.h"
+#include "base/decimal.h"
+#include "pipeline/mesh_result.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kOften = 0.01;  // of the samples: if a pair of links collides in more though its meshes do not, there is a note
+constexpr double kMost = 0.5;    // of the samples: if the robot touches the scene in more, there is a note
+
+/// On links and bodies of the scene that are not checked against each other; empty: there are none.
+std::string noteOnScenePairs(const FitReport& fit) {
+  const auto is_with_scene = [](const LeftOutPair& pair) { return !pair.links; };
+  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_with_scene);
+  if (first == fit.left_out.end()) return "";
+  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_with_scene));
+  return counted(count, "pair") + " of a link and a body of the scene " + (count == 1 ? "is" : "are") + " left out (" + first->first +
+         " against " + first->second + (count == 1 ? "" : ", for one") +
+         "): the original meshes touch there always, or nearly, so the check in the scene says nothing about " +
+         (count == 1 ? "it" : "them") + "; check the scene's pose unless the robot really stands like that";
+}
+
+/// On pairs of links whose hulls meet in many configurations in which their meshes are near, but do not touch; empty: there are none.
+std::string noteOnNearPairs(const FitReport& fit) {
+  const PairHits* worst = nullptr;
+  std::size_t count = 0;
+  for (const PairHits& pair : fit.self) {
+    if (!pair.links || static_cast<double>(pair.after) < kOften * static_cast<double>(fit.samples)) continue;
+    ++count;
+    if (!worst || pair.after > worst->after) worst = &pair;
+  }
+  if (!worst) return "";
+  return "hulls of links '" + worst->first + "' and '" + worst->second + "' collide in " + std::to_string(worst->after) + " of " +
+         std::to_string(fit.samples) + " configurations in which the meshes do not" +
+         (count > 1 ? ", and those of " + counted(count - 1, "more pair") + " in many" : "") +
+         "; if they have to work closer together than the clearance, use a smaller clearance";
+}
+
+/// [m] From the root's origin to the body's bounding box.
+double distanceTo(const SceneBody& body) {
+  Eigen::AlignedBox3d box;
+  const auto extend = [&](const auto& shape) {
+    for (const Eigen::Vector3d& p : shape.vertices) box.extend(body.pose * p);
+  };
+  std::visit(extend, body.shape);
+  return box.exteriorDistance(Eigen::Vector3d::Zero());
+}
+
+}  // namespace
+
+double reachOf(const RobotDescription& robot) {
+  std::map<std::string, double> reach;  // by link
+  double largest = 0;
+  for (const JointDescription& joint : robot.joints) {  // parents before children
+    const bool slides = joint.kind == JointDescription::Kind::kPrismatic;
+    const double way = slides ? std::max(std::abs(joint.lower), std::abs(joint.upper)) : 0;
+    reach[joint.child] = reach[joint.parent] + joint.origin.translation().norm() + way;
+    largest = std::max(largest, reach[joint.child]);
+  }
+  return largest;
+}
+
+std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped) {
+  if (fit.phantom == 0 || fit.leaf_contacts > 0 || capped.empty()) return "";
+  return std::to_string(fit.phantom) + " of " + counted(fit.samples, "configuration") + " still " + (fit.phantom == 1 ? "has" : "have") +
+         " a false collision, since max-hulls keeps link '" + *capped.begin() + "'" +
+         (capped.size() > 1 ? " and " + std::to_string(capped.size() - 1) + " more" : "") +
+         " from finer hulls; raise max-hulls, or set it to 0, which lifts the limit";
+}
+
+std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted) {
+  std::vector<std::string> notes = fit.notes;
+  if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were left out of the fit");
+  if (unfitted > 0)
+    notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
+  if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
+  if (const std::string note = noteOnNearPairs(fit); !note.empty()) notes.push_back(note);
+  if (!fit.scene_contact.empty()) notes.push_back("the original meshes are in contact with the scene at rest: " + fit.scene_contact);
+  const std::string touched =
+      "the original meshes touch the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
+  if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");
+  if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))
+    notes.push_back(touched +
+                    " sampled configurations, and a fit learns from the others alone; if the robot does not stand there, move the " +
+                    "scene, or give the configurations that matter");
+  if (fit.leaf_contacts > 0) {
+    notes.push_back(counted(fit.leaf_contacts, "counterexample") + (fit.leaf_contacts == 1 ? " remains" : " remain") +
+                    " even with the finest hulls, such as " + fit.leaf_contact + "; use a smaller tolerance");
+  }
+  return notes;
+}
+
+std::vector<std::string> notesOnFarScene(const Scene& scene, double clearance, const RobotDescription& robot) {
+  if (scene.bodies.empty()) return {};
+  std::vector<double> distances;
+  for (const SceneBody& body : scene.bodies) distances.push_back(distanceTo(body));
+  const auto nearest = std::min_element(distances.begin(), distances.end());
+  if (*nearest <= reachOf(robot) + kLargestLink + clearance) return {};
+  return {"no body of scene '" + scene.name + "' comes near the robot: the nearest, '" +
+          scene.bodies[static_cast<std::size_t>(nearest - distances.begin())].name + "', is " + decimal(*nearest, 3) +
+          " m from its root link; sizes and poses of a scene are in metres"};
+}
+
+}  // namespace collision_hulls

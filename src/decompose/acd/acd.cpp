@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "decompose/acd/notches.h"
+#include "decompose/certified/rough_hull.h"
 #include "decompose/cluster_hulls.h"
 #include "decompose/surface_piece.h"
 #include "mesh/loose_segments.h"
@@ -16,7 +17,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostParts = 2000;
-constexpr double kOnPlane = 1e-9;  // in extents of the whole mesh
+constexpr std::size_t kManyPoints = 100'000;  // of a part whose hull is not built exactly before it is known to stay
+constexpr double kOnPlane = 1e-9;             // in extents of the whole mesh
 
 struct Part {
   SurfacePiece piece;
@@ -24,6 +26,11 @@ struct Part {
   Notch notch;
   bool two_sided = false;
 };
+
+/// The hull of a part that is to be cut: of many points a rough one, as exact ones take long.
+ConvexHull hullToCut(const SurfacePiece& piece, const RunControl& control) {
+  return piece.vertices.size() > kManyPoints ? roughHull(piece.vertices, Corners::kNeeded, control) : convexHull(piece.vertices, control);
+}
 
 /// Parts in the order to cut them: highest concavity first, then oldest first.
 struct Waiting {
@@ -51,7 +58,7 @@ std::vector<SurfacePiece> separated(const SurfacePiece& side, const RunControl& 
   std::vector<SurfacePiece> parts;
   std::vector<ConvexHull> hulls;
   for (SurfacePiece& piece : components(side, control)) {
-    ConvexHull hull = convexHull(piece.vertices, control);
+    ConvexHull hull = hullToCut(piece, control);
     for (std::size_t i = 0; i < parts.size();) {
       control.check();
       if (!within(hulls[i], piece) && !within(hull, parts[i])) {
@@ -59,7 +66,7 @@ std::vector<SurfacePiece> separated(const SurfacePiece& side, const RunControl& 
         continue;
       }
       append(piece, parts[i]);
-      hull = convexHull(piece.vertices, control);
+      hull = hullToCut(piece, control);
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
       hulls.erase(hulls.begin() + static_cast<std::ptrdiff_t>(i));
       i = 0;  // the hull has grown: start again
@@ -95,14 +102,14 @@ class Resolving {
   void add(SurfacePiece piece, bool two_sided) {
     control_.check();
     Part part;
-    part.hull = convexHull(piece.vertices, control_);
+    part.hull = hullToCut(piece, control_);
     part.notch = deepestNotch(piece, part.hull, two_sided, control_);
     part.two_sided = two_sided;
     if (part.notch.concavity > epsilon_) {
       waiting_.push({part.notch.concavity, parts_.size()});
       part.piece = std::move(piece);
     } else {
-      done(piece);
+      finish(piece, part);
     }
     parts_.push_back(std::move(part));
   }
@@ -118,13 +125,15 @@ class Resolving {
         for (SurfacePiece& piece : separated(*side, control_)) add(std::move(piece), part.two_sided);
       return;
     }
-    done(part.piece);
     parts_[index].hull = part.hull;
+    finish(part.piece, parts_[index]);
   }
 
   static HalfSpace planeThrough(const Notch& notch) { return {notch.bisector, notch.bisector.dot(notch.point)}; }
 
-  void done(const SurfacePiece& piece) {
+  /// A part that is not cut any more, with its hull if that is exact.
+  void finish(const SurfacePiece& piece, Part& part) {
+    if (piece.vertices.size() > kManyPoints) part.hull = convexHull(piece.vertices, control_);
     undone_ = std::max(0.0, undone_ - area(piece));
     if (whole_ > 0) control_.report(1 - undone_ / whole_);
   }

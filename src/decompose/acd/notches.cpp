@@ -1,5 +1,6 @@
 // Visits all edges, sorted so that the two sides of each are neighbours, and measures the distance from each reflex edge to its bridge. The
-// scan for the nearest face starts at the last bridge and stops as soon as the notch cannot be the deepest.
+// search for the nearest face starts at the last bridge, goes through a tree of faces, and stops as soon as the notch cannot be the
+// deepest.
 #include "decompose/acd/notches.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "base/looks.h"
+#include "decompose/box_tree.h"
 
 namespace collision_hulls {
 
@@ -15,6 +17,7 @@ namespace {
 
 constexpr double kFlat = 1 - 1e-10;    // an edge is flat if the cosine between its faces is above this
 constexpr double kOpensTowards = 0.1;  // least cosine between the direction out of a notch and the normal of its bridge
+constexpr double kRounding = 1e-12;    // of a bound on normals, and as a share of the lengths in one on distances
 constexpr double kNil = 1e-9;          // concavity, in extents of the piece, that counts as zero
 
 /// A triangle's side, in the direction in which it runs around the triangle.
@@ -43,9 +46,62 @@ Eigen::Vector3d normalOf(const SurfacePiece& piece, int t) {
   return n.norm() > 0 ? Eigen::Vector3d(n.normalized()) : Eigen::Vector3d::Zero();
 }
 
+/// The faces of a hull, by what their normals and offsets are.
+class Bridges {
+ public:
+  explicit Bridges(const ConvexHull& hull) : hull_(hull) {
+    const Eigen::AlignedBox3d box = boundingBox(hull);
+    middle_ = box.center();
+    if (const double diagonal = box.diagonal().norm(); diagonal > 0) size_ = diagonal;
+    std::vector<Faces::Key> keys;
+    for (const HalfSpace& face : hull.faces) {
+      keys.emplace_back();
+      keys.back() << face.normal, -face.distance(middle_) / size_;
+    }
+    faces_ = Faces(keys);
+  }
+
+  /// [m] How far p lies below the nearest of the faces that the direction `out` opens towards; infinite without any. May stop at a face
+  /// that is no further than `enough`.
+  double distance(const Eigen::Vector3d& p, const Eigen::Vector3d& out, double enough) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](std::size_t f) {
+      if (hull_.faces[f].normal.dot(out) < kOpensTowards) return;
+      least = std::min(least, -hull_.faces[f].distance(p));
+      if (least <= enough) last_ = f;
+    };
+    if (hull_.faces.empty()) return least;
+    look(last_);  // neighbouring notches usually have the same bridge
+    if (least <= enough) return least;
+    const Eigen::Vector3d way = middle_ - p;
+    const double rounding = kRounding * (size_ + way.norm());
+    const auto bound = [&](const Faces::Box& box) {
+      const Eigen::Vector3d low = box.min().head<3>(), high = box.max().head<3>();
+      if (least <= enough || out.cwiseProduct(low).cwiseMax(out.cwiseProduct(high)).sum() < kOpensTowards - kRounding)
+        return std::numeric_limits<double>::infinity();
+      return box.min()[3] * size_ + way.cwiseProduct(low).cwiseMin(way.cwiseProduct(high)).sum() - rounding;
+    };
+    const auto visit = [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last && least > enough; ++i) look(static_cast<std::size_t>(faces_.order()[i]));
+      return least;
+    };
+    faces_.search(bound, visit, least);
+    return least;
+  }
+
+ private:
+  using Faces = BoxTree<4, 8>;
+
+  const ConvexHull& hull_;
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  double size_ = 1;  // [m]
+  Faces faces_;      // normals, and how far the middle lies below, as a share of the size
+  std::size_t last_ = 0;
+};
+
 class Search {
  public:
-  Search(const SurfacePiece& piece, const ConvexHull& hull, bool two_sided) : piece_(piece), hull_(hull), two_sided_(two_sided) {
+  Search(const SurfacePiece& piece, const ConvexHull& hull, bool two_sided) : piece_(piece), bridges_(hull), two_sided_(two_sided) {
     deepest_.concavity = kNil * boundingBox(piece).sizes().maxCoeff();
   }
 
@@ -55,16 +111,15 @@ class Search {
     const double nil = deepest_.concavity;
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
       look();
-      if (sides[i].along(sides[i + 1]) && sides[i].forward != sides[i + 1].forward) visit(sides[i], sides[i + 1], control);
+      if (sides[i].along(sides[i + 1]) && sides[i].forward != sides[i + 1].forward) visit(sides[i], sides[i + 1]);
     }
     return deepest_.concavity > nil ? deepest_ : Notch{};
   }
 
  private:
-  void visit(const Side& first, const Side& second, const RunControl& control) {
+  void visit(const Side& first, const Side& second) {
     const Eigen::Vector3d n1 = normalOf(piece_, first.triangle), n2 = normalOf(piece_, second.triangle);
     if (n1.isZero(0) || n2.isZero(0) || n1.dot(n2) > kFlat) return;
-    control.check();  // the scan may take as many steps as the hull has faces
     const Eigen::Vector3d &a = piece_.vertices[static_cast<std::size_t>(first.low)],
                           &b = piece_.vertices[static_cast<std::size_t>(first.high)];
     const Eigen::Vector3d edge = first.forward ? Eigen::Vector3d(b - a) : Eigen::Vector3d(a - b);
@@ -73,33 +128,15 @@ class Search {
     const Eigen::Vector3d out = ((turn < 0 ? 1.0 : -1.0) * (n1 + n2)).normalized();
     const Eigen::Vector3d bisector = edge.cross(out).normalized();
     for (const Eigen::Vector3d& p : {Eigen::Vector3d((a + b) / 2), a, b}) {
-      const double concavity = distanceToBridge(p, out);
-      if (concavity > deepest_.concavity) deepest_ = {concavity, p, bisector};
+      const double concavity = bridges_.distance(p, out, deepest_.concavity);
+      if (std::isfinite(concavity) && concavity > deepest_.concavity) deepest_ = {concavity, p, bisector};
     }
-  }
-
-  /// 0 if the notch opens towards no face. Stops early, with a distance that is too large, only once the notch is known not to be the
-  /// deepest.
-  double distanceToBridge(const Eigen::Vector3d& p, const Eigen::Vector3d& out) {
-    double least = std::numeric_limits<double>::infinity();
-    const std::size_t count = hull_.faces.size();
-    for (std::size_t i = 0; i < count && least > deepest_.concavity; ++i) {
-      const std::size_t f = (last_bridge_ + i) % count;  // neighbouring notches usually have the same bridge
-      if (hull_.faces[f].normal.dot(out) < kOpensTowards) continue;
-      const double d = -hull_.faces[f].distance(p);
-      if (d < least) {
-        least = d;
-        if (least <= deepest_.concavity) last_bridge_ = f;
-      }
-    }
-    return std::isfinite(least) ? least : 0;
   }
 
   const SurfacePiece& piece_;
-  const ConvexHull& hull_;
+  Bridges bridges_;
   bool two_sided_;
   Notch deepest_;
-  std::size_t last_bridge_ = 0;
 };
 
 }  // namespace

@@ -54,10 +54,7 @@ constexpr double kLooseShare = 0.01;        // the same as a share of the protru
 constexpr int kLooseHalvings = 100'000;     // of patches, at most, for such a bound
 constexpr double kIntoHull = 1e-9;          // how far, on the way to a vertex, intruders on a hull's surface are moved into it
 constexpr double kGrowth = 1e-5;            // growth of a hull to allow for rounding when it is written
-constexpr double kJoggle = 1e-6;            // most that points of a rough hull are moved, as a share of their distance from the middle
-constexpr std::size_t kJoggles = 3;         // attempts,
 constexpr std::size_t kSharesOfHulls = 16;  // at most, that are searched side by side: each copies what is known of its space
-constexpr std::size_t kManyPoints = 3000;   // with more, coplanar points hinder quickhull so often that all are moved right away
 constexpr std::size_t kMostKnown = 400;     // intruders remembered,
 constexpr std::size_t kUseful = 16;         // and those of them that are looked at before a hull is built
 
@@ -73,30 +70,7 @@ ConvexHull grown(ConvexHull hull) {
   return hull;
 }
 
-/// Moves the points away from the origin, which lies in their hull: the new hull contains the old one, and points that were coplanar hardly
-/// ever still are. Each trial moves them differently.
-std::vector<Eigen::Vector3d> joggled(std::vector<Eigen::Vector3d> points, std::size_t trial) {
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1 + kJoggle * unitInterval(mixed(i + trial * points.size()));
-  return points;
-}
-
 }  // namespace
-
-ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners, const RunControl& control) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());
-  std::vector<Eigen::Vector3d> centred;
-  centred.reserve(points.size());
-  for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
-  std::optional<ConvexHull> hull;
-  std::vector<int> sources;
-  if (points.size() <= kManyPoints) hull = quickhull(centred, control, corners, &sources);
-  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), control, corners, &sources);
-  if (!hull) return convexHull(points, control);
-  for (std::size_t i = 0; i < sources.size(); ++i) hull->vertices[i] = points[at(sources[i])];  // bit by bit, for KnownFacets
-  for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
-  return *std::move(hull);
-}
 
 ConvexHull thinned(const ConvexHull& hull, std::size_t most) {
   if (hull.vertices.size() <= 2 * most || hull.thickness > 0) return hull;

@@ -18,15 +18,10 @@
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/measure/solid.h"
 #include "decompose/certified/known_facets.h"
-#include "geometry/quickhull.h"
+#include "decompose/certified/rough_hull.h"
 #include "measure/outside_distance.h"
 
 namespace collision_hulls {
-
-/// A hull of points near the origin with one face per triangle, usually as quickhull leaves it: for
-/// hulls that are evaluated once and mostly thrown away. If points are coplanar it may be larger
-/// than the exact hull, by up to a millionth of its size. Throws kCancelled.
-ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners = Corners::kNeeded, const RunControl& control = {});
 
 /// The hull of about `most` of a hull's vertices, the support points in as many directions: close
 /// to the original where that is round. Returns the hull itself if it does not have many more

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <optional>
 
-#include "decompose/hacd/box_tree.h"
+#include "decompose/box_tree.h"
 #include "decompose/hacd/triangle_concavity.h"
 
 namespace collision_hulls {

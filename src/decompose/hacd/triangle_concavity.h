@@ -6,7 +6,7 @@
 #include <array>
 
 #include "collision_hulls/geometry/convex_hull.h"
-#include "decompose/hacd/box_tree.h"
+#include "decompose/box_tree.h"
 
 namespace collision_hulls {
 

@@ -96,5 +96,18 @@ TEST(Acd, EndsEvenIfNothingIsEverConvexEnough) {
   EXPECT_EQ(uncovered(mesh, hulls), 0);
 }
 
+// Hulls of more than 100,000 points are rough until they are known to stay.
+TEST(Acd, HullsOfManyPointsAreExact) {
+  const RepairedMesh mesh = repair(test_shapes::sphere(1, 101));
+  ASSERT_GT(mesh.mesh.vertices.size(), 100'000u);
+  const std::vector<ConvexHull> hulls = acdHulls(mesh, 0.1);
+  ASSERT_EQ(hulls.size(), 1u);
+  for (std::size_t f = 0; f < hulls[0].faces.size(); f += hulls[0].faces.size() / 50) {
+    double furthest = -1;
+    for (const Eigen::Vector3d& v : mesh.mesh.vertices) furthest = std::max(furthest, hulls[0].faces[f].distance(v));
+    EXPECT_NEAR(furthest, 0, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -1,4 +1,4 @@
-#include "decompose/hacd/box_tree.h"
+#include "decompose/box_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -27,7 +27,7 @@ struct Part {
   bool two_sided = false;
 };
 
-/// The hull of a part that is to be cut: of many points a rough one, as exact ones take long.
+/// The hull of a part that may be cut: of many points a rough one, as an exact one takes long.
 ConvexHull hullToCut(const SurfacePiece& piece, const RunControl& control) {
   return piece.vertices.size() > kManyPoints ? roughHull(piece.vertices, Corners::kNeeded, control) : convexHull(piece.vertices, control);
 }
@@ -131,7 +131,7 @@ class Resolving {
 
   static HalfSpace planeThrough(const Notch& notch) { return {notch.bisector, notch.bisector.dot(notch.point)}; }
 
-  /// A part that is not cut any more, with its hull if that is exact.
+  /// For a part that is not cut any more. Its hull becomes exact.
   void finish(const SurfacePiece& piece, Part& part) {
     if (piece.vertices.size() > kManyPoints) part.hull = convexHull(piece.vertices, control_);
     undone_ = std::max(0.0, undone_ - area(piece));

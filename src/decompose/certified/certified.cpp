@@ -277,7 +277,7 @@ class Job {
     for (const Way& way : plan.ways) {
       if (groups_ && (searching_.late() || !isAtOwnTolerance())) break;
       const bool is_better = best.size() <= way.few && tryWay(plan, way, stretch, best);
-      if (isFarTooMany(best.size()) || (is_better && untried_.empty() && isMinimal(best))) return best;
+      if ((divided_ && isFarTooMany(best.size())) || (is_better && untried_.empty() && isMinimal(best))) return best;
       stretch = {stretch.to, stretch.to + step};
     }
     if (!divided_ && coarse.groups) {

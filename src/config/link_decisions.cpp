@@ -33,6 +33,13 @@ std::string linkNames(const RobotDescription& robot) {
   return listedFirst(names, kNamesShown);
 }
 
+/// One that a setting may be for.
+std::string linkWithMesh(const RobotDescription& robot) {
+  const auto has_mesh = [](const LinkDescription& link) { return !link.visuals.empty() || !link.collisions.empty(); };
+  const auto first = std::find_if(robot.links.begin(), robot.links.end(), has_mesh);
+  return first != robot.links.end() ? first->name : robot.links.empty() ? "base" : robot.links.front().name;
+}
+
 /// For a name that was misspelt, or a star as in a shell. Looks at nothing long, as comparing takes the product of two lengths.
 std::string suggestion(const std::string& expression, const RobotDescription& robot) {
   constexpr std::size_t kLongest = 60;
@@ -175,7 +182,7 @@ LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& rob
   for (const RegionRule& rule : options.region_rules) {
     if (rule.pattern.empty())
       throw Error(ErrorCode::kBadOption, at(rule.place) + "region '" + rule.name + "' names no link of robot '" + robot.name +
-                                             "': add one, as in link: " + (robot.links.empty() ? "base" : robot.links.front().name));
+                                             "': add one, as in link: " + linkWithMesh(robot));
     regions.add(rule.pattern, "link of region '" + rule.name + "'", rule.place);
   }
   std::size_t region_uses = 0;

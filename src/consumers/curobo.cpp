@@ -69,7 +69,8 @@ void checkForCurobo(const RobotDescription& robot, const Options& options, const
   Options of_visuals = options;
   of_visuals.source = Source::kVisual;
   const bool visuals_do = options.source != Source::kVisual && linksWithOthers(robot, of_visuals, control).empty();
-  refuse(links, visuals_do ? "choose --source visual, " : "");
+  const std::string outside = options.links.empty() ? "" : options.links_place.empty() ? "leave --links out, " : "leave 'only' out, ";
+  refuse(links, visuals_do ? "choose --source visual, " : outside);
 }
 
 ConsumerFiles curoboFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs) {

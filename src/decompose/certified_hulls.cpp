@@ -199,7 +199,7 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
     return std::string(name(options.method)) + " ignores the tolerance; use another method";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
-  if (!made.result.untried.empty()) return "time ran out before " + made.result.untried + "; raise the time limit or the tolerance";
+  if (!made.result.untried.empty()) return "time ran out (not done: " + made.result.untried + "); raise the time limit or the tolerance";
   const std::string hulls = "max-hulls " + std::to_string(options.max_hulls);
   if (made.capped && options.method == Method::kCertified)
     return "the limit (" + hulls + ") made the hulls coarser; raise it, or the tolerance";

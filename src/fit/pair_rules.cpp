@@ -82,7 +82,9 @@ std::string share(std::size_t part, std::size_t whole) {
 
 /// Why a pair is left out, judging by the original; an empty reason: it is not.
 LeftOutPair verdict(const Sighting& pair) {
-  const auto said = [&](const char* reason, const std::string& known) { return LeftOutPair{"", "", reason, known, pair.links}; };
+  const auto said = [&](const char* reason, const std::string& known) {
+    return LeftOutPair{"", "", reason, known, pair.links, pair.at_rest <= 0};
+  };
   if (!pair.moves && pair.at_rest <= 0) return said("Fixed", "always in contact");
   if (pair.touching > 0 && nearlyAll(pair.touching, pair.samples))
     return said("Always", "in contact in " + share(pair.touching, pair.samples));

@@ -336,8 +336,10 @@ void noteTimeLimit(Report& report) {
   if (!first) return;
   report.notes.push_back("the time limit ended the search for " + std::to_string(others + 1) + " of " +
                          std::to_string(totals(report).meshes) +
-                         " meshes early, so they may have more hulls, or protrude further, than they need: '" + first->uri + "' lacks " +
-                         first->untried + "; their hulls cover, and their bounds hold, all the same");
+                         " meshes early, so they may have more hulls, or protrude further, than they need. They cover their meshes and "
+                         "keep the bounds in the report; "
+                         "what '" +
+                         first->uri + "' had no time for: " + first->untried);
 }
 
 }  // namespace

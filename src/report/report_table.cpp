@@ -12,6 +12,7 @@
 
 #include "base/counted.h"
 #include "base/string_parts.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/report/totals.h"
@@ -23,6 +24,11 @@ namespace {
 
 constexpr std::size_t kTextColumns = 2;  // link and mesh, or two links
 constexpr std::ptrdiff_t kLeastColumn = 4;
+
+/// The name of a row's mesh; a terminal would obey control characters in it.
+std::string fileOf(const ElementReport& row) {
+  return shown(lastPart(row.uri));
+}
 
 /// "3", "1 primitive", "3, 1 primitive"
 std::string bodies(std::size_t hulls, std::size_t primitives) {
@@ -39,12 +45,11 @@ Cells cells(const ElementReport& row) {
   const StageSeconds& s = row.seconds;
   const std::string seconds = figure(s.read + s.repair + s.decompose + s.certify + s.write);
   if (row.status == Status::kKept || row.status == Status::kRemoved)
-    return {row.link, row.uri.empty() ? "-" : lastPart(row.uri), "-", "-", "-", "-", "-", "-", "-", name(row.status)};
+    return {row.link, row.uri.empty() ? "-" : fileOf(row), "-", "-", "-", "-", "-", "-", "-", name(row.status)};
   if (row.status == Status::kFailed)
-    return {row.link, lastPart(row.uri), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-", "-",
-            seconds,  name(row.status)};
+    return {row.link, fileOf(row), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-", "-", seconds, name(row.status)};
   return {row.link,
-          lastPart(row.uri),
+          fileOf(row),
           std::to_string(row.triangles),
           bodies(row.hulls, row.primitives),
           leastShown(row) ? std::to_string(*leastShown(row)) : "-",
@@ -129,7 +134,7 @@ std::string degradedLine(const Report& report) {
   const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);
   if (row == report.links.end()) return "";
   const auto others = static_cast<std::size_t>(std::count_if(row + 1, report.links.end(), degraded));
-  return "degraded: " + row->link + ", " + lastPart(row->uri) + ": " + row->reason +
+  return "degraded: " + row->link + ", " + fileOf(*row) + ": " + row->reason +
          (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
 }
 
@@ -138,9 +143,9 @@ std::string regionLines(const Report& report) {
   std::string text;
   for (const ElementReport& row : report.links) {
     for (std::size_t i = 0; i < std::min(row.regions.size(), row.regions_given.size()); ++i)
-      text += "region '" + row.regions_given[i].name + "': in it, the hulls of " + row.link + ", " + lastPart(row.uri) +
-              " protrude by at most " + figureInMillimetres(row.regions[i].bound) + " mm; its tolerance is " +
-              figureInMillimetres(row.regions_given[i].tolerance) + " mm\n";
+      text += "region '" + row.regions_given[i].name + "': in it, the hulls of " + row.link + ", " + fileOf(row) + " protrude by at most " +
+              figureInMillimetres(row.regions[i].bound) + " mm; its tolerance is " + figureInMillimetres(row.regions_given[i].tolerance) +
+              " mm\n";
   }
   return text;
 }
@@ -214,8 +219,8 @@ std::string noteLines(const Report& report) {
 /// Names the link, unless the input is a single mesh, and the mesh, unless the reason does.
 std::string failure(const Report& report, const ElementReport& row) {
   const bool single_mesh = row.uri == report.input_path;
-  const bool named = row.reason.find(lastPart(row.uri)) != std::string::npos;
-  return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : row.uri + ": ") + row.reason;
+  const bool named = row.reason.find(fileOf(row)) != std::string::npos;
+  return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : shown(row.uri) + ": ") + row.reason;
 }
 
 /// What failures that are said once have in common: the folder, and the reason but for the file's name.

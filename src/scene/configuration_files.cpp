@@ -90,6 +90,7 @@ Columns columnsOf(const Cells& header, const std::string& where) {
     failConfigurations(
         where, "these are not the columns of a sensor_msgs/JointState; record other messages as .yaml, by `rostopic echo` without -p");
   }
+  if (columns.positions.empty()) failConfigurations(where, "no column names a joint; the first line must hold the names of the joints");
   double number = 0;
   for (const std::size_t i : columns.positions) {
     if (header[i].empty())

@@ -144,6 +144,8 @@ inline void configure(RobotCommand& command, const RunControl& control) {
     if (!command.models.empty()) given.insert("model");
     command.notes = overridingNotes(config, given);
   }
+  if (command.given.names.count("spheres") > 0 && command.given.names.count("shapes") > 0)
+    throw Error(ErrorCode::kBadOption, "--spheres is --shapes spheres, which contradicts another --shapes; leave one of them out");
   command.given.apply(command.options);
   for (const std::string& name : command.consumer_names)
     command.consumers.push_back(choice("--for", name, consumerNamed, consumerChoices()));

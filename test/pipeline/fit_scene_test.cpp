@@ -274,6 +274,21 @@ TEST_F(FitRobotToScene, ReportsContactWithTheScene) {
   EXPECT_TRUE(isNoted(run(fixtures::link("base", bracket())), "2 pairs of a link and a body of the scene are left out"));
 }
 
+TEST_F(FitRobotToScene, SaysThatLinksTouchInTheGivenConfigurations) {
+  fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.03, 0.03, 0.03)));
+  const std::string robot = fixtures::link("base", bracket()) + fixtures::link("rail", "") +
+                            fixtures::link("box", collision(fixtures::meshTag("../meshes/box.obj"))) +
+                            "<joint name='a' type='prismatic'><parent link='base'/><child link='rail'/><axis xyz='0 0 1'/>"
+                            "<limit lower='-0.1' upper='0.1' effort='1' velocity='1'/></joint>"
+                            "<joint name='b' type='prismatic'><parent link='rail'/><child link='box'/><origin xyz='0.3 0 0'/>"
+                            "<axis xyz='1 0 0'/><limit lower='-0.4' upper='0.1' effort='1' velocity='1'/></joint>";
+  const std::string note = "1 pair of links is left out (base and box): the original meshes touch there in the given configurations";
+  request_.configurations = {{0, -0.15}};
+  EXPECT_TRUE(isNoted(run(robot), note));
+  request_.configurations = {{0, -0.15}, {0, 0}};
+  EXPECT_FALSE(isNoted(run(robot), note)) << "of two, one is free";
+}
+
 TEST_F(FitRobotToScene, SaysThatABodyLiesInsideALink) {
   request_.scene.bodies[0] = {"peg", boxShape(Eigen::Vector3d::Constant(0.01)), at(0.1, 0.015, 0.05)};  // in the middle of a leg
   const RobotResult result = run(fixtures::link("base", bracket()));

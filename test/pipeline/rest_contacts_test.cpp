@@ -60,8 +60,8 @@ TEST_F(RestContacts, APinInAMouthThatAHullFillsIsNotedWithTheGap) {
   const std::vector<std::string> found = notes(channelAndPin("0 0 0"));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0],
-            "hulls of 'channel' and 'pin' touch with all joints at rest, where their meshes are 10 mm apart: lower the tolerance of these "
-            "links, or disable the pair");
+            "hulls of 'channel' and 'pin' touch with all joints at rest, where their meshes are 10 mm apart: choose another method for "
+            "these links, or disable the pair");
   options_.method = Method::kCertified;
   EXPECT_TRUE(notes(channelAndPin("0 0 0")).empty()) << "the mouth is open";
 }
@@ -82,6 +82,25 @@ TEST_F(RestContacts, WhatIsWrittenIsNamed) {
   rule.settings.shapes = Shapes::kHulls;
   options_.rules = {rule};
   EXPECT_EQ(start(channelAndPin("0 0 0")), "bodies of 'channel' and 'pin'");
+}
+
+TEST_F(RestContacts, TheRemedyIsForTheCause) {
+  const auto remedy = [&] {
+    const std::vector<std::string> found = notes(channelAndPin("0 0 0"));
+    return found.empty() ? "" : found[0].substr(found[0].rfind(": ") + 2);
+  };
+  options_.method = Method::kCertified;
+  options_.tolerance = lengthOf(0.03);
+  EXPECT_EQ(remedy(), "lower the tolerance of these links, or disable the pair");
+  options_.padding = 0.006;
+  EXPECT_EQ(remedy(), "lower the padding or the tolerance of these links, or disable the pair");
+  options_.padding = 0;
+  options_.shapes = Shapes::kCylinder;
+  EXPECT_EQ(remedy(), "take hulls for these links, or disable the pair");
+  options_.shapes = Shapes::kHulls;
+  options_.tolerance = lengthOf(0.002);
+  options_.max_hulls = 1;
+  EXPECT_EQ(remedy(), "allow these links more hulls, or disable the pair");
 }
 
 TEST_F(RestContacts, OthersAreListed) {

@@ -128,6 +128,15 @@ TEST_F(ShapesTest, PrimitivesAlone) {
   EXPECT_LE(result.report.links.at(0).protrusion, 0.005);
 }
 
+TEST_F(ShapesTest, MorePrimitivesThanTheLimitAreSaidToBe) {
+  options_.max_hulls = 2;
+  EXPECT_EQ(run(plateOnRod(), Shapes::kPrimitives).report.links.at(0).status, Status::kOk);
+  options_.max_hulls = 1;
+  const ElementReport row = run(plateOnRod(), Shapes::kPrimitives).report.links.at(0);
+  EXPECT_EQ(row.status, Status::kDegraded);
+  EXPECT_NE(row.reason.find("it takes 2 primitives, more than max-hulls 1"), std::string::npos) << row.reason;
+}
+
 TEST_F(ShapesTest, WhereNoPrimitiveStandsForAHullTheSurfaceInItIsDivided) {
   TriangleMesh wedge = test_shapes::box(0.2, 0.2, 0.2);
   for (Eigen::Vector3d& v : wedge.vertices)

@@ -123,6 +123,15 @@ std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
+TEST(ReportTable, ANameOfAFileCannotForgeALine) {
+  Report report = sample();
+  for (ElementReport& row : report.links) row.uri = "new\nline.stl";
+  std::string text = toTable(report);
+  EXPECT_NE(text.find("new?line.stl"), std::string::npos) << text;
+  for (const std::string& line : failures(report)) text += line;
+  EXPECT_EQ(text.find("new\n"), std::string::npos) << text;
+}
+
 TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
   Report report = sample();
   report.validation.missed = 1;

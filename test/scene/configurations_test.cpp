@@ -124,6 +124,7 @@ TEST(Configurations, CsvErrorsNameTheFaultAndTheLine) {
   const auto expectBadCsv = [](const std::vector<std::string>& parts, const std::string& text) {
     expectBad(ErrorCode::kBadConfigurations, parts, "a.csv", text);
   };
+  expectBadCsv({"line 1", "no column names a joint"}, "time\n0.1\n");
   expectBadCsv({"line 1", "no joint 'elbow'", "a, b, c, f, m"}, "elbow\n1\n");
   expectBadCsv({"line 1", "'a' appears twice"}, "a,a\n1,1\n");
   expectBadCsv({"line 1", "'0.5'", "names"}, "0.5,1\n");

@@ -49,6 +49,7 @@ TEST(Srdf, DisablesAllPairsOfALinkExceptEnabledOnes) {
 TEST(Srdf, ALinkThatIsDisabledAgainOrUnknownCostsNoLookAtAllLinks) {
   constexpr std::size_t kNumber = 2000;
   RobotDescription large;
+  large.name = "r";
   large.links.resize(kNumber);
   for (std::size_t i = 0; i < kNumber; ++i) large.links[i].name = "l" + std::to_string(i);
   std::string known, unknown;

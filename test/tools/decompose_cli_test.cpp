@@ -130,6 +130,11 @@ TEST_F(DecomposeProgram, ARobotByItsPackageName) {
   for (const std::string file : report["links"][0]["files"]) EXPECT_TRUE(fs::exists(folder_ / ("arm_collision/" + file))) << file;
 }
 
+TEST_F(DecomposeProgram, SpheresAreNoOtherShape) {
+  for (const std::string options : {"--spheres --shapes box", "--shapes spheres --spheres"})
+    expectWrongUse("bracket.obj " + options, {"--spheres is --shapes spheres", "leave one of them out"});
+}
+
 TEST_F(DecomposeProgram, ARobotWithoutMeshesHasANoteAndNoProgress) {
   const std::string box = "<geometry><box size=\"1 1 1\"/></geometry>";
   fixtures::write(folder_ / "boxes.urdf", fixtures::robot("boxes", fixtures::link("base", "<collision>" + box + "</collision>")));

@@ -103,9 +103,10 @@ struct FittedLink {
 /// A pair of links, or of a link and a body of the scene, that is not checked.
 struct LeftOutPair {
   std::string first, second;
-  std::string reason;  ///< "Adjacent", "Disabled", "Default", "Always", "Never", "Fixed"
-  std::string known;   ///< how that is known
-  bool links = false;  ///< both are links
+  std::string reason;   ///< "Adjacent", "Disabled", "Default", "Always", "Never", "Fixed"
+  std::string known;    ///< how that is known
+  bool links = false;   ///< both are links
+  bool at_rest = true;  ///< they are in contact with all joints at rest, too; said of "Always"
 };
 
 /// How often two links, or a link and a body of the scene, collide over the verification samples.

@@ -59,7 +59,7 @@ bool isPackedGltf(std::string_view bytes) {
 
 GltfParts gltfParts(std::string_view bytes, const std::string& path) {
   if (!isGltfContainer(bytes)) {
-    if (lowerExtension(path) == ".glb" && trimmed(bytes.substr(0, kHeaderBytes), " \t\r\n").substr(0, 1) != "{")
+    if (lowerExtension(path) == ".glb" && trimmed(bytes.substr(0, kHeaderBytes), " \t\r\n").find_first_of("{[") != 0)
       failNotAMesh(path, "does not begin with 'glTF' and a version, as binary glTF does");
     return {false, checkedText(bytes, path), {}};
   }

@@ -69,7 +69,8 @@ class ObjReader {
       failNotAMesh(path_, line_, inQuotes(keyword) + " belongs to a free-form curve or surface, which is not read; convert it to polygons");
     if (keyword == "call" || keyword == "csh")
       failNotAMesh(path_, line_, inQuotes(keyword) + " is not carried out; put all of the mesh into this file");
-    failNotAMesh(path_, line_, inQuotes(keyword) + " begins no statement of an OBJ file; remove the line if it is a comment");
+    failNotAMesh(path_, line_,
+                 inQuotes(keyword) + " begins no statement of an OBJ file; check the file, or remove the line if it is a comment");
   }
 
   /// x y z, with a weight of 1 or with a colour. Programs differ on other weights: some divide by them, some ignore them.

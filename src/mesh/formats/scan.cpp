@@ -56,7 +56,9 @@ std::string inQuotes(std::string_view word) {
 }
 
 void failNotAMesh(const std::string& path, const std::string& reason) {
-  throw Error(ErrorCode::kNotAMesh, path + ": " + reason + "; check the file or export it again");
+  const std::size_t quoted = reason.rfind('\'');  // what is quoted comes from the file
+  const bool has_remedy = reason.find("; ", quoted == std::string::npos ? 0 : quoted) != std::string::npos;
+  throw Error(ErrorCode::kNotAMesh, path + ": " + reason + (has_remedy ? "" : "; check the file or export it again"));
 }
 
 void failNotAMesh(const std::string& path, std::size_t line, const std::string& reason) {

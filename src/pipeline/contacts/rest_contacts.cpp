@@ -134,12 +134,17 @@ RestContact contact(const Part& a, const Part& b, const RunControl& control) {
   return {std::min(a.link, b.link), std::max(a.link, b.link), apart, apart >= most};
 }
 
+std::set<std::string> linksOf(const RobotDescription& robot, const std::vector<RestContact>& pairs) {
+  std::set<std::string> links;
+  for (const RestContact& pair : pairs) links.insert({robot.links[pair.first].name, robot.links[pair.second].name});
+  return links;
+}
+
 /// What the links of these pairs are made of: "hulls", "spheres", "primitives" of other kinds, or "bodies" if primitives stand beside
 /// hulls.
 std::string kindThatTouches(const RobotDescription& robot, const std::vector<RestContact>& pairs, const std::vector<MeshUse>& uses,
                             const MeshResults& results, std::size_t model) {
-  std::set<std::string> links;
-  for (const RestContact& pair : pairs) links.insert({robot.links[pair.first].name, robot.links[pair.second].name});
+  const std::set<std::string> links = linksOf(robot, pairs);
   bool hulls = false, spheres = false, others = false;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     if (uses[i].model != model || links.count(uses[i].link) == 0) continue;
@@ -149,6 +154,23 @@ std::string kindThatTouches(const RobotDescription& robot, const std::vector<Res
   }
   if (hulls) return spheres || others ? "bodies" : "hulls";
   return others ? "primitives" : "spheres";
+}
+
+/// What would keep the bodies of two links apart.
+std::string remedyFor(const std::set<std::string>& links, const std::vector<MeshUse>& uses, const MeshResults& results, std::size_t model) {
+  bool padded = false, single = false, one_hull = false, limited = false;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i].model != model || links.count(uses[i].link) == 0) continue;
+    const LinkOptions& options = uses[i].options;
+    padded = padded || options.padding > 0;
+    single = single || isSingle(options.shapes);
+    one_hull = one_hull || options.method == Method::kSingleHull || options.method == Method::kBoundingBox;
+    limited = limited || (options.max_hulls > 0 && results[i]->status == Status::kDegraded);
+  }
+  if (one_hull) return "choose another method for these links, ";
+  if (single) return "take hulls for these links, ";
+  if (limited) return "allow these links more hulls, ";
+  return padded ? "lower the padding or the tolerance of these links, " : "lower the tolerance of these links, ";
 }
 
 /// "'a' and 'b'"
@@ -201,7 +223,8 @@ std::vector<std::string> notesOnRestContacts(const RobotDescription& robot, cons
     return {kindThatTouches(robot, contacts, uses, results, model) + " of " + names(robot, contacts.front()) + others(robot, contacts) +
             " touch with all joints at rest, where " + (one ? "their meshes are " : "the meshes of the first are ") +
             (inside ? "at least " : "") + millimetres(contacts.front().apart) + " apart" + (inside ? ", one inside the other: " : ": ") +
-            (one && inside ? "" : "lower the tolerance of these links, or ") + "disable " + (one ? "the pair" : "the pairs")};
+            (one && inside ? "" : remedyFor(linksOf(robot, contacts), uses, results, model) + "or ") + "disable " +
+            (one ? "the pair" : "the pairs")};
   } catch (const Error& error) {
     if (error.code() == ErrorCode::kCancelled) throw;
     return {std::string("links were not compared at rest: ") + error.what()};

@@ -28,6 +28,18 @@ std::string noteOnScenePairs(const FitReport& fit) {
          (count == 1 ? "it" : "them") + "; check the scene's pose unless the robot really stands like that";
 }
 
+/// On links that are left out because they touch in the given configurations, though not at rest; empty: there are none.
+std::string noteOnGivenContacts(const FitReport& fit) {
+  if (!fit.given) return "";
+  const auto is_new = [](const LeftOutPair& pair) { return pair.links && pair.reason == "Always" && !pair.at_rest; };
+  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_new);
+  if (first == fit.left_out.end()) return "";
+  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_new));
+  return counted(count, "pair") + " of links " + (count == 1 ? "is" : "are") + " left out (" + first->first + " and " + first->second +
+         (count == 1 ? "" : ", for one") + "): the original meshes touch there in the given configurations, though not at rest, so the " +
+         "check says nothing about " + (count == 1 ? "it" : "them") + "; check the configurations unless the robot really stands like that";
+}
+
 /// On pairs of links whose hulls meet in many configurations in which their meshes are near, but do not touch; empty: there are none.
 std::string noteOnNearPairs(const FitReport& fit) {
   const PairHits* worst = nullptr;
@@ -82,6 +94,7 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   if (unfitted > 0)
     notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
   if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
+  if (const std::string note = noteOnGivenContacts(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnNearPairs(fit); !note.empty()) notes.push_back(note);
   if (!fit.scene_contact.empty()) notes.push_back("the original meshes are in contact with the scene at rest: " + fit.scene_contact);
   const std::string touched =

@@ -18,9 +18,10 @@ void refuseLinkSettings(const RobotDescription& robot, const Options& options, c
     if (!decided || decided->action != Action::kDecompose) continue;
     const auto ofLink = [&](bool is_for_all) { return is_for_all ? std::string() : " of link '" + link.name + "'"; };
     if (decided->padding > 0)
-      throw Error(ErrorCode::kBadOption, "padding '" + toString(lengthOf(decided->padding)) + "'" +
-                                             ofLink(decided->padding == options.padding) +
-                                             " does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
+      throw Error(ErrorCode::kBadOption,
+                  "padding '" + toString(lengthOf(decided->padding)) + "'" + ofLink(decided->padding == options.padding) +
+                      " does not apply to fit_scene: a fitted model holds the meshes, and the clearance adds nothing around them; omit "
+                      "it, and pad in the planner, or use decompose");
     if (decided->shapes != Shapes::kHulls)
       throw Error(ErrorCode::kBadOption, std::string("shapes '") + name(decided->shapes) + "'" + ofLink(decided->shapes == options.shapes) +
                                              " does not apply to fit_scene, which takes primitives where the scene allows; omit it");

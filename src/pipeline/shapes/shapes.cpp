@@ -269,6 +269,9 @@ void shapeAndCertify(const ReadMesh& read, const LinkOptions& options, const Hul
     result.hulls.push_back(polyhedronAbout(part));
   }
   result.model = factsOf(result.hulls, parts.size(), *result.solid, proof, control);
+  if (options.shapes == Shapes::kPrimitives && options.max_hulls > 0 && parts.size() > static_cast<std::size_t>(options.max_hulls))
+    result.reason = "it takes " + std::to_string(parts.size()) + " primitives, more than max-hulls " + std::to_string(options.max_hulls) +
+                    ", which limits hulls and spheres alone; raise it, or the tolerance, or take shapes 'mixed'";
   if (result.reason.empty() && proof.bound > result.mesh.tolerance)
     result.reason = subject(options.shapes) + " by up to " + millimetres(proof.bound) + ", more than the tolerance of " +
                     millimetres(result.mesh.tolerance) + ": " + excuse(work);

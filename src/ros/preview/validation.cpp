@@ -78,8 +78,10 @@ void expectRead(const Run& run) {
     throw Error(ErrorCode::kBadOption, "no hulls are known that could be compared with their meshes: call ~build or ~decompose first");
   std::vector<std::string> names;
   for (const auto& [name, result] : links) names.push_back("'" + name + "'");
-  const std::string who = names.size() == 1 ? "link " + names.front() + " has no hulls" : "links without hulls: " + listedFirst(names, 3);
-  throw Error(ErrorCode::kBadOption, who + "; what has no mesh, or is kept as it is, cannot be compared: choose links with hulls");
+  const std::string who =
+      names.size() == 1 ? "link " + names.front() + " has no hulls" : "no hulls are known of links " + listedFirst(names, 3);
+  throw Error(ErrorCode::kBadOption,
+              who + " that could be compared with a mesh: call ~build or ~decompose first, or choose links that have some");
 }
 
 }  // namespace

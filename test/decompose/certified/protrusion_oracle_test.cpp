@@ -1,3 +1,4 @@
+// Also tests src/decompose/certified/rough_hull.cpp.
 #include "decompose/certified/protrusion_oracle.h"
 
 #include <gtest/gtest.h>

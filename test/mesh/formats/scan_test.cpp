@@ -38,6 +38,19 @@ TEST(NextWord, TakesWordsOffTheFront) {
   EXPECT_EQ(nextWord(&rest), "");
 }
 
+TEST(Scan, ARemedyIsEnough) {
+  const auto said = [](const std::string& reason) -> std::string {
+    try {
+      failNotAMesh("a.obj", reason);
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(said("is empty"), "a.obj: is empty; check the file or export it again");
+  EXPECT_EQ(said("'4OFF' is not supported; write it as OFF"), "a.obj: '4OFF' is not supported; write it as OFF");
+  EXPECT_EQ(said("'a; b' is no number"), "a.obj: 'a; b' is no number; check the file or export it again");
+}
+
 TEST(Scan, SaysWhatIsWrong) {
   EXPECT_EQ(inQuotes("1\t" + std::string(60, 'x')), "'1?" + std::string(38, 'x') + "...'");
   EXPECT_EQ(withoutComment("1 2 # 3"), "1 2 ");

@@ -9,17 +9,16 @@
 
 #include "base/in_context.h"
 #include "base/nearest_name.h"
-#include "base/string_parts.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "config/link_fields.h"
 #include "geometry/roll_pitch_yaw.h"
 #include "report/link_pattern.h"
+#include "robot/link_names.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kNamesShown = 12;
 constexpr std::size_t kMostRegionUses = 100'000;  // regions of each link, once for each of its elements
 
 /// In front of a message.
@@ -27,15 +26,13 @@ std::string at(const std::string& place) {
   return place.empty() ? "" : place + ": ";
 }
 
-std::string linkNames(const RobotDescription& robot) {
-  std::vector<std::string> names;
-  for (const LinkDescription& link : robot.links) names.push_back(link.name);
-  return listedFirst(names, kNamesShown);
-}
-
-/// One that a setting may be for.
+/// The first one that a region may be for, or the first of all.
 std::string linkWithMesh(const RobotDescription& robot) {
-  const auto has_mesh = [](const LinkDescription& link) { return !link.visuals.empty() || !link.collisions.empty(); };
+  const auto is_mesh = [](const GeometryElement& element) { return element.kind == GeometryElement::Kind::kMesh; };
+  const auto has_mesh = [&](const LinkDescription& link) {
+    return std::any_of(link.visuals.begin(), link.visuals.end(), is_mesh) ||
+           std::any_of(link.collisions.begin(), link.collisions.end(), is_mesh);
+  };
   const auto first = std::find_if(robot.links.begin(), robot.links.end(), has_mesh);
   return first != robot.links.end() ? first->name : robot.links.empty() ? "base" : robot.links.front().name;
 }

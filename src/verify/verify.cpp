@@ -12,11 +12,11 @@
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/kinematics.h"
 #include "report/link_pattern.h"
+#include "robot/link_names.h"
 #include "verify/compare_link.h"
 #include "verify/joint_differences.h"
 #include "verify/trials.h"
@@ -262,13 +262,9 @@ void check(const VerifyOptions& options) {
 }
 
 [[noreturn]] void refuseNothing(const RobotDescription& robot, const VerifyOptions& options) {
-  std::string where;
-  if (!options.links.empty()) {
-    std::vector<std::string> names;
-    for (const LinkDescription& link : robot.links) names.push_back(link.name);
-    where = " in links that match --links '" + options.links + "'; ORIGINAL's links are " + listedFirst(names, 12);
-  }
-  throw Error(ErrorCode::kBadOption, "there is nothing to compare: neither description has geometry" + where);
+  const std::string where = " in links that match --links '" + options.links + "'; ORIGINAL's links are " + linkNames(robot);
+  throw Error(ErrorCode::kBadOption,
+              "there is nothing to compare: neither description has geometry" + (options.links.empty() ? "" : where));
 }
 
 /// Two robots, given by mistake as one before and after.

@@ -218,6 +218,25 @@ regions:
   EXPECT_FALSE(all.of("panda_hand")->tree) << "a tree knows nothing of regions";
 }
 
+TEST(LinkDecisions, ARegionWithoutALinkIsProposedOneWithAMesh) {
+  RobotDescription robot;
+  robot.links.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) robot.links[i].name = std::string(1, static_cast<char>('a' + i));
+  robot.links[1].collisions.resize(1);
+  robot.links[1].collisions[0].kind = GeometryElement::Kind::kBox;
+  robot.links[2].visuals.resize(1);
+  robot.links[2].visuals[0].kind = GeometryElement::Kind::kMesh;
+  Options options;
+  options.region_rules.resize(1);
+  options.region_rules[0].shape = RegionHalfSpace{{0, 0, 1}, 0};
+  try {
+    LinkDecisions(options, robot, {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("as in link: c"), std::string::npos) << error.what();
+  }
+}
+
 TEST(LinkDecisions, RegionsThatCannotHold) {
   const std::string shape = ", box: {size: [1, 1, 1]}, keep_clear: true}";
   const auto expect = [&](const std::string& text, const std::vector<const char*>& parts) {

@@ -238,6 +238,11 @@ TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
   EXPECT_EQ(of_one(alone, Source::kCollision).find("--source visual"), std::string::npos) << "it does not help";
   EXPECT_NE(of_one(alone, Source::kCollision), "");
   EXPECT_EQ(of_one(alone + mesh, Source::kVisual), "");
+  options_.source = Source::kAuto;
+  options_.links = "a";
+  EXPECT_NE(before(alone).find("leave --links out, remove"), std::string::npos) << before(alone);
+  options_.links_place = "'f.yaml', line 1";
+  EXPECT_NE(before(alone).find("leave 'only' out, remove"), std::string::npos) << before(alone);
 }
 
 TEST_F(Consumers, CuroboIsRefusedForAllLinksAtOnce) {

@@ -1,4 +1,4 @@
-// Also tests src/pipeline/scene_request.cpp, src/pipeline/scene/fit_notes.cpp and src/pipeline/scene/fit_refusals.cpp.
+// Also tests src/pipeline/scene_request.cpp.
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include <gtest/gtest.h>
@@ -9,112 +9,14 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/output.h"
 #include "pipeline/fixtures.h"
+#include "pipeline/scene_run.h"
 #include "shapes.h"
 
 namespace collision_hulls {
 namespace {
 
-using fixtures::TempFolder;
+using fixtures::FitRobotToScene;
 using nlohmann::json;
-
-/// A bracket on a link that does not move, and a block in its notch: inside its hull, and 3 cm clear of the bracket itself.
-class FitRobotToScene : public ::testing::Test {
- protected:
-  FitRobotToScene() {
-    fixtures::write(folder_ / "meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
-    fixtures::write(folder_ / "meshes/rubbish.stl", "no mesh at all");
-    request_.scene = {"notch", {{"block", boxShape(Eigen::Vector3d::Constant(0.03)), at(0.075, 0.075, 0.05)}}};
-    request_.samples = 100;
-    options_.validate = false;
-  }
-
-  static Eigen::Isometry3d at(double x, double y, double z) { return Eigen::Isometry3d(Eigen::Translation3d(x, y, z)); }
-
-  static bool isNoted(const RobotResult& result, const std::string& text) {
-    const std::vector<std::string>& notes = result.report.notes;
-    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) { return note.find(text) != std::string::npos; });
-  }
-
-  static std::string collision(const std::string& geometry) { return "    <collision>\n      " + geometry + "\n    </collision>\n"; }
-  static std::string bracket() { return collision(fixtures::meshTag("../meshes/bracket.obj")); }
-
-  RobotResult run(const std::string& links, const StepCallback& step = {}) {
-    const RobotDescription robot = readRobotDescription(fixtures::write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
-    return fitRobotToScene(robot, defaultPackageFinder(), request_, options_, folder_ / "out", {}, step);
-  }
-
-  TempFolder folder_;
-  SceneRequest request_;
-  Options options_;
-};
-
-TEST_F(FitRobotToScene, RejectsMethodsWithoutATree) {
-  options_.method = Method::kHacd;
-  try {
-    run(fixtures::link("base", bracket()));
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
-    EXPECT_NE(std::string(error.what()).find("hacd"), std::string::npos);
-  }
-}
-
-TEST_F(FitRobotToScene, RejectsAnotherTolerancesTree) {
-  options_.tree = shareOf(0.005);
-  try {
-    run(fixtures::link("base", bracket()));
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
-    EXPECT_NE(std::string(error.what()).find("0.5%"), std::string::npos);
-  }
-}
-
-TEST_F(FitRobotToScene, RejectsWhatAFitDoesNotKeep) {
-  const auto message = [&] {
-    try {
-      run(fixtures::link("base", bracket()));
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::kBadOption);
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  const Options plain = options_;
-  options_.time_limit = 5;
-  EXPECT_NE(message().find("time-limit"), std::string::npos);
-  options_ = plain;
-  options_.padding = 0.02;
-  EXPECT_NE(message().find("padding '2cm' does not apply"), std::string::npos);
-  options_ = plain;
-  LinkRule padded;
-  padded.pattern = "ba.*";
-  padded.settings.padding = 0.03;
-  options_.rules = {padded};
-  EXPECT_NE(message().find("padding '3cm' of link 'base'"), std::string::npos);
-  options_ = plain;
-  RegionRule region;
-  region.pattern = "base";
-  region.name = "mouth";
-  region.shape = RegionHalfSpace{{0, 0, 1}, 0};
-  options_.region_rules = {region};
-  EXPECT_NE(message().find("region 'mouth' does not apply"), std::string::npos);
-}
-
-TEST_F(FitRobotToScene, AClearanceBeyondTheRobotsReachIsRefused) {
-  const std::string links = fixtures::link("base", bracket()) + fixtures::link("tip", bracket(), "base");  // 0.5 m above it
-  request_.clearance = 20;
-  try {
-    run(links);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
-    for (const char* part : {"clearance '20m'", "500 mm", "did you mean 2cm?"})
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-  request_.clearance = 1;
-  EXPECT_NO_THROW(run(links));
-}
 
 TEST_F(FitRobotToScene, BlockInTheNotchNeedsTwoHulls) {
   options_.validate = true;
@@ -274,65 +176,6 @@ TEST_F(FitRobotToScene, ReportsContactWithTheScene) {
   EXPECT_TRUE(isNoted(run(fixtures::link("base", bracket())), "2 pairs of a link and a body of the scene are left out"));
 }
 
-TEST_F(FitRobotToScene, SaysThatLinksTouchInTheGivenConfigurations) {
-  fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.03, 0.03, 0.03)));
-  const std::string robot = fixtures::link("base", bracket()) + fixtures::link("rail", "") +
-                            fixtures::link("box", collision(fixtures::meshTag("../meshes/box.obj"))) +
-                            "<joint name='a' type='prismatic'><parent link='base'/><child link='rail'/><axis xyz='0 0 1'/>"
-                            "<limit lower='-0.1' upper='0.1' effort='1' velocity='1'/></joint>"
-                            "<joint name='b' type='prismatic'><parent link='rail'/><child link='box'/><origin xyz='0.3 0 0'/>"
-                            "<axis xyz='1 0 0'/><limit lower='-0.4' upper='0.1' effort='1' velocity='1'/></joint>";
-  const std::string note = "1 pair of links is left out (base and box): the original meshes touch there in the given configurations";
-  request_.configurations = {{0, -0.15}};
-  EXPECT_TRUE(isNoted(run(robot), note));
-  request_.configurations = {{0, -0.15}, {0, 0}};
-  EXPECT_FALSE(isNoted(run(robot), note)) << "of two, one is free";
-}
-
-TEST_F(FitRobotToScene, SaysThatABodyLiesInsideALink) {
-  request_.scene.bodies[0] = {"peg", boxShape(Eigen::Vector3d::Constant(0.01)), at(0.1, 0.015, 0.05)};  // in the middle of a leg
-  const RobotResult result = run(fixtures::link("base", bracket()));
-  EXPECT_EQ(result.report.scene->scene_contact, "peg inside base");
-  ASSERT_EQ(result.report.scene->left_out.size(), 1u);
-  EXPECT_EQ(result.report.scene->left_out[0].known, "always peg inside base");
-  EXPECT_TRUE(isNoted(result, "in contact with the scene at rest: peg inside base"));
-  EXPECT_TRUE(isNoted(result, "peg inside base: a check that takes meshes for surfaces, as FCL does, sees no contact there"));
-}
-
-TEST_F(FitRobotToScene, SaysWhatMaxHullsKeeps) {
-  request_.primitives = false;
-  for (const int most : {0, 1, 2}) {
-    options_.max_hulls = most;
-    const RobotResult result = run(fixtures::link("base", bracket()));
-    EXPECT_EQ(result.report.scene->phantom, most == 1 ? 100u : 0u);
-    EXPECT_EQ(result.report.scene->leaf_contacts, 0u);
-    EXPECT_EQ(isNoted(result, "100 of 100 configurations still have a false collision, since max-hulls keeps link 'base'"), most == 1);
-    EXPECT_FALSE(isNoted(result, "of the scene is left out"));
-  }
-}
-
-TEST_F(FitRobotToScene, SaysThatTheSceneIsFarAway) {
-  const std::string note = "no body of scene '";
-  request_.scene.bodies = {{"shelf", boxShape({280, 960, 16}), at(580, 0, 40)}, {"floor", boxShape({1, 1, 1}), at(-600, 0, 0)}};
-  const RobotResult far = run(fixtures::link("base", bracket()));
-  EXPECT_TRUE(isNoted(far, note)) << fixtures::joined(far.report.notes);
-  EXPECT_TRUE(isNoted(far, "the nearest, 'shelf', is 441 m from its root link")) << fixtures::joined(far.report.notes);
-  request_.scene.bodies.push_back({"table", boxShape({1, 1, 1}), at(3, 0, 0)});
-  EXPECT_FALSE(isNoted(run(fixtures::link("base", bracket())), note));
-}
-
-TEST_F(FitRobotToScene, SaysThatTheRobotStandsInTheScene) {
-  std::string turning = fixtures::link("tip", bracket(), "base");  // about x, with a leg of 0.2 m along y
-  turning.replace(turning.find("fixed"), 5, "continuous");
-  const auto isSaid = [&](double wall_from_y) {
-    request_.scene.bodies[0] = {"wall", boxShape({2, 2, 0.8}), at(0, 1 + wall_from_y, 0.6)};
-    const RobotResult result = run(fixtures::link("base", bracket()) + turning);
-    return isNoted(result, "of 100 sampled configurations");
-  };
-  EXPECT_TRUE(isSaid(0.04));   // touched over 234 degrees
-  EXPECT_FALSE(isSaid(0.18));  // over 76 degrees
-}
-
 TEST_F(FitRobotToScene, FailedMeshLeavesItsLinkOut) {
   const RobotResult result =
       run(fixtures::link("base", bracket()) + fixtures::link("hand", collision(fixtures::meshTag("../meshes/rubbish.stl")), "base"));
@@ -365,53 +208,12 @@ TEST_F(FitRobotToScene, FitsALinkAsAWholeOrNotAtAll) {
   EXPECT_NE(result.urdf.find("rubbish.stl"), std::string::npos);
 }
 
-// A block that slides out of the bracket's notch, in which it is 3 cm clear of the bracket.
-TEST_F(FitRobotToScene, TellsOfLinksThatMeetWithinTheClearance) {
-  fixtures::write(folder_ / "meshes/block.obj", fixtures::obj(test_shapes::box(0.03, 0.03, 0.03)));
-  const std::string links =
-      fixtures::link("base", bracket()) + "  <link name=\"mid\"/>\n  <link name=\"tip\">" +
-      collision(fixtures::meshTag("../meshes/block.obj")) + "</link>\n" +
-      "<joint name=\"a\" type=\"prismatic\"><parent link=\"base\"/><child link=\"mid\"/><limit upper=\"0.001\" effort=\"1\" "
-      "velocity=\"1\"/></joint>"
-      "<joint name=\"b\" type=\"prismatic\"><parent link=\"mid\"/><child link=\"tip\"/>"
-      "<origin xyz=\"0.06 0.06 0.02\"/><axis xyz=\"0 0 1\"/><limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>\n";
-  request_.scene.bodies[0].pose = at(5, 5, 5);
-  request_.samples = 1000;
-  const std::string told = "hulls of links 'base' and 'tip' collide in ";
-  request_.clearance = 0.06;
-  EXPECT_TRUE(isNoted(run(links), told));
-  request_.clearance = 0.01;
-  EXPECT_FALSE(isNoted(run(links), told));
-}
-
 TEST_F(FitRobotToScene, IgnoresPrimitivesWithoutASize) {
   const std::string dummy = "    <collision><geometry><box size=\"0 0 0\"/></geometry></collision>\n";
   const RobotResult result = run(fixtures::link("base", bracket()) + fixtures::link("tip", dummy, "base"));
   EXPECT_TRUE(result.report.scene->left_out.empty());
   const std::vector<std::string>& notes = result.report.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& note) { return note.find("link 'tip'") != std::string::npos; }));
-}
-
-TEST_F(FitRobotToScene, FindsWrongUseBeforeTheWork) {
-  const std::string part = fixtures::link("base", bracket()) + fixtures::link("tip", "", "base");
-  const auto code = [&](const std::string& links) {
-    RunControl control;
-    bool began = false;
-    control.progress = [&](double) { began = true; };
-    try {
-      const RobotDescription robot = readRobotDescription(fixtures::write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
-      fitRobotToScene(robot, defaultPackageFinder(), request_, options_, folder_ / "out", control);
-    } catch (const Error& error) {
-      EXPECT_FALSE(began);
-      return error.code();
-    }
-    return ErrorCode::kInternal;
-  };
-  EXPECT_EQ(code(part + "<link name=\"t\"/><joint name=\"m\" type=\"continuous\"><parent link=\"tip\"/><child link=\"t\"/>"
-                        "<mimic joint=\"nothing\"/></joint>"),
-            ErrorCode::kNotARobot);
-  request_.clearance = 0;
-  EXPECT_EQ(code(part), ErrorCode::kBadOption);
 }
 
 TEST_F(FitRobotToScene, PrimitivesOfTheRobotCount) {
@@ -427,19 +229,6 @@ TEST_F(FitRobotToScene, PrimitivesOfTheRobotCount) {
 TEST_F(FitRobotToScene, PassesOnNotesAboutTheDescription) {
   const std::vector<std::string> notes = run(fixtures::link("base", bracket()) + "  <xacro:gripper/>\n").report.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& note) { return note.find("<xacro:gripper>") != std::string::npos; }));
-}
-
-TEST_F(FitRobotToScene, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
-  const std::string ball = collision("<geometry><sphere radius=\"0.02\"/></geometry>");
-  const std::string visual = "    <visual>\n      " + fixtures::meshTag("../meshes/bracket.obj") + "\n    </visual>\n";
-  try {
-    run(fixtures::link("base", visual + ball));
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
-    for (const char* part : {"no mesh", "--source visual"})
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
 }
 
 TEST_F(FitRobotToScene, SameBytesWithAndWithoutCache) {

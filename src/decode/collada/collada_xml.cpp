@@ -36,7 +36,8 @@ void checkSize(std::string_view text, const std::string& path) {
 void expectNoDeclarations(const tinyxml2::XMLNode& parent, const std::string& path) {
   for (const tinyxml2::XMLNode* node = parent.FirstChild(); node != nullptr; node = node->NextSibling()) {
     if (node->ToUnknown() != nullptr)
-      failNotAMesh(path, static_cast<std::size_t>(node->GetLineNum()), "a declaration such as DOCTYPE, which is not supported; remove it");
+      failNotAMesh(path, static_cast<std::size_t>(node->GetLineNum()), "a declaration such as DOCTYPE, which is not supported",
+                   "remove it");
     expectNoDeclarations(*node, path);  // as deep as tinyxml2 lets elements nest
   }
 }

@@ -156,23 +156,23 @@ class Job {
     return hulls;
   }
 
-  /// At most `limit` hulls in place of a cover of more: those that protrude least, of a cut of the tree above it and of covers at larger
-  /// tolerances, which divide the surface anew, in one way each. After the deadline only the tree is cut.
-  std::vector<ConvexHull> limited(const Cover& cover, std::size_t limit) {
+  /// As many hulls as the limit allows in place of a cover of more: those that protrude least, of a cut of the tree above it and of covers
+  /// at larger tolerances, which divide the surface anew, in one way each. After the deadline only the tree is cut.
+  std::vector<ConvexHull> limited(const Cover& cover) {
     const std::string untried = untried_;
     const double most = boundingBox(mesh_).diagonal().norm();
     BoundedHulls best;
-    if (limit > 1 && !isFarTooMany(cover.size())) best = cutOfTree(cover, limit);
+    if (limit() > 1 && !isFarTooMany(cover.size())) best = cutOfTree(cover);
     searching_.stops_at_deadline = true;
     if (!searching_.late()) {
       std::unique_ptr<SurfaceGroups> groups = std::move(groups_);
-      best = withinLimit(tolerance_, cover.size(), limit, most, std::move(best), [&](double at) { return hullsAt(at, limit); });
+      best = withinLimit(tolerance_, cover.size(), limit(), most, std::move(best), [&](double at) { return hullsAt(at); });
       groups_ = std::move(groups);
       setTolerance(options_.tolerance);
       untried_ = untried;
       note("covers at larger tolerances");
     }
-    if (best.hulls.empty()) best = cutOfTree(cover, limit);
+    if (best.hulls.empty()) best = cutOfTree(cover);
     for (ConvexHull& hull : best.hulls) hull = place_.takenBack(hull);
     return std::move(best.hulls);
   }
@@ -192,20 +192,20 @@ class Job {
     return treeAbove(cover, oracle_, bounds, reporting({kSearched, 1}));
   }
 
-  BoundedHulls cutOfTree(const Cover& cover, std::size_t limit) {
+  BoundedHulls cutOfTree(const Cover& cover) {
     const HullTree tree = treeHere(cover, TreeBounds::kEstimated);  // the order of bounds is what counts
-    std::vector<ConvexHull> hulls = tree.hullsOf(tree.cutTo(static_cast<int>(limit)));
+    std::vector<ConvexHull> hulls = tree.hullsOf(tree.cutTo(options_.max_hulls));
     forEach(hulls.size(), [&](std::size_t i) { hulls[i] = capped(hulls[i], options_.max_vertices, control_); });
     const double bound = oracle_.bound(hulls);
     return {std::move(hulls), bound};
   }
 
-  BoundedHulls hullsAt(double tolerance, std::size_t limit) {
+  BoundedHulls hullsAt(double tolerance) {
     setTolerance(tolerance);
     groups_.reset();
     const Cover cover = this->cover();
     BoundedHulls result{cappedHulls(cover)};
-    if (result.hulls.size() <= limit) inTime([&] { result.bound = oracle_.bound(result.hulls); });
+    if (result.hulls.size() <= limit()) inTime([&] { result.bound = oracle_.bound(result.hulls); });
     return result;
   }
 
@@ -431,9 +431,8 @@ Decomposition certified(const RepairedMesh& mesh, const Solid& solid, const Deco
   Job job(mesh, solid, options, least, control);
   Decomposition result;
   const Cover cover = job.cover();
-  const auto limit = static_cast<std::size_t>(options.max_hulls);
-  result.capped = limit > 0 && cover.size() > limit;
-  result.hulls = result.capped ? job.limited(cover, limit) : job.hullsOf(cover);
+  result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
+  result.hulls = result.capped ? job.limited(cover) : job.hullsOf(cover);
   result.untried = job.untried();
   control.report(1);
   return result;

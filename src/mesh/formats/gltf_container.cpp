@@ -25,7 +25,7 @@ bool begins(std::string_view bytes, std::uint32_t magic) {
 
 void checkHeader(std::string_view bytes, const std::string& path) {
   const std::uint32_t version = littleEndian(bytes, 4), length = littleEndian(bytes, 8);
-  if (version != kVersion) failNotAMesh(path, "is glTF " + std::to_string(version) + "; export it as glTF 2");
+  if (version != kVersion) failNotAMesh(path, "is glTF " + std::to_string(version), "export it as glTF 2");
   if (length != bytes.size()) failNotAMesh(path, "announces " + std::to_string(length) + " bytes, but has " + std::to_string(bytes.size()));
 }
 

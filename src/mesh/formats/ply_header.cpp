@@ -131,7 +131,7 @@ class HeaderReader {
         failNotAMesh(path_, "announces " + std::to_string(e.rows) + " rows of element '" + e.name + "' but has only " +
                                 std::to_string(header_.data.size()) + " bytes of data");
       if (e.rows > 0 && (e.name == "tristrips" || e.name == "range_grid"))
-        failNotAMesh(path_, "its element '" + e.name + "' is not supported; write faces instead");
+        failNotAMesh(path_, "its element '" + e.name + "' is not supported", "write faces instead");
       if (std::count_if(header_.elements.begin(), header_.elements.end(), [&](const PlyElement& other) { return other.name == e.name; }) >
           1)
         failNotAMesh(path_, "has two elements '" + e.name + "'");

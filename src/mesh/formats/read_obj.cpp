@@ -43,13 +43,13 @@ class ObjReader {
     line_ = lines_.number();
     if (statement->back() != '\\') return true;
     if (statement->find('#') != std::string_view::npos)
-      failNotAMesh(path_, line_, "a comment that ends with a backslash: programs differ on whether it goes on; remove the backslash");
+      failNotAMesh(path_, line_, "a comment that ends with a backslash: programs differ on whether it goes on", "remove the backslash");
     joined_.assign(*statement);
     for (std::string_view more; joined_.back() == '\\'; joined_ += more) {
       joined_.back() = ' ';
       const std::size_t last = lines_.number();
       if (!lines_.next(&more) || lines_.number() != last + 1)
-        failNotAMesh(path_, last, "a backslash at the end, but nothing on the next line; remove it");
+        failNotAMesh(path_, last, "a backslash at the end, but nothing on the next line", "remove it");
     }
     *statement = joined_;
     return true;
@@ -66,11 +66,12 @@ class ObjReader {
 
   [[noreturn]] void failUnknown(std::string_view keyword) const {
     if (isOneOf(kFreeForm, keyword))
-      failNotAMesh(path_, line_, inQuotes(keyword) + " belongs to a free-form curve or surface, which is not read; convert it to polygons");
+      failNotAMesh(path_, line_, inQuotes(keyword) + " belongs to a free-form curve or surface, which is not read",
+                   "convert it to polygons");
     if (keyword == "call" || keyword == "csh")
-      failNotAMesh(path_, line_, inQuotes(keyword) + " is not carried out; put all of the mesh into this file");
-    failNotAMesh(path_, line_,
-                 inQuotes(keyword) + " begins no statement of an OBJ file; check the file, or remove the line if it is a comment");
+      failNotAMesh(path_, line_, inQuotes(keyword) + " is not carried out", "put all of the mesh into this file");
+    failNotAMesh(path_, line_, inQuotes(keyword) + " begins no statement of an OBJ file",
+                 "check the file, or remove the line if it is a comment");
   }
 
   /// x y z, with a weight of 1 or with a colour. Programs differ on other weights: some divide by them, some ignore them.
@@ -82,9 +83,8 @@ class ObjReader {
     if (count != 3 && count != 4 && count != 6)
       failNotAMesh(path_, line_, "a vertex of " + std::to_string(count) + " numbers; it needs 3, 4 (with w) or 6 (with a colour)");
     if (count == 4 && numbers[3] != 1)
-      failNotAMesh(path_, line_,
-                   "a vertex with w = " + fixedDecimal(numbers[3]) +
-                       ", by which some programs divide and others do not; write the coordinates alone");
+      failNotAMesh(path_, line_, "a vertex with w = " + fixedDecimal(numbers[3]) + ", by which some programs divide and others do not",
+                   "write the coordinates alone");
     polygons_.addPoint(numbers[0], numbers[1], numbers[2]);
   }
 
@@ -142,7 +142,7 @@ class ObjReader {
 LoadedMesh readObj(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
   std::string_view text = checkedText(bytes, path);
   if (text.size() < bytes.size() && nextWord(&text).substr(0, 1) != "#")
-    failNotAMesh(path, "begins with a byte order mark, by which some readers lose the first line; save it as UTF-8 without");
+    failNotAMesh(path, "begins with a byte order mark, by which some readers lose the first line", "save it as UTF-8 without");
   return ObjReader(checkedText(bytes, path), path, limits, control).read();
 }
 

@@ -77,7 +77,8 @@ class OffReader {
     for (const std::string_view known : {"ST", "C", "N"})
       if (letters.substr(0, known.size()) == known) letters.remove_prefix(known.size());
     if (!letters.empty())
-      failNotAMesh(path_, lines_.number(), "the variant " + inQuotes(std::string(letters) + "OFF") + " is not supported; write it as OFF");
+      failNotAMesh(path_, lines_.number(), "the variant " + inQuotes(std::string(letters) + "OFF") + " is not supported",
+                   "write it as OFF");
   }
 
   void checkCounts() {
@@ -136,7 +137,7 @@ class OffReader {
 }  // namespace
 
 LoadedMesh readOff(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
-  if (isBinary(bytes)) failNotAMesh(path, "binary OFF is not supported; write it as text");
+  if (isBinary(bytes)) failNotAMesh(path, "binary OFF is not supported", "write it as text");
   return OffReader(checkedText(bytes, path), path, limits, control).read();
 }
 

@@ -55,14 +55,12 @@ std::string inQuotes(std::string_view word) {
   return "'" + text + (word.size() > kLength ? "..." : "") + "'";
 }
 
-void failNotAMesh(const std::string& path, const std::string& reason) {
-  const std::size_t quoted = reason.rfind('\'');  // what is quoted comes from the file
-  const bool has_remedy = reason.find("; ", quoted == std::string::npos ? 0 : quoted) != std::string::npos;
-  throw Error(ErrorCode::kNotAMesh, path + ": " + reason + (has_remedy ? "" : "; check the file or export it again"));
+void failNotAMesh(const std::string& path, const std::string& reason, const std::string& remedy) {
+  throw Error(ErrorCode::kNotAMesh, path + ": " + reason + "; " + remedy);
 }
 
-void failNotAMesh(const std::string& path, std::size_t line, const std::string& reason) {
-  failNotAMesh(path, "line " + std::to_string(line) + ": " + reason);
+void failNotAMesh(const std::string& path, std::size_t line, const std::string& reason, const std::string& remedy) {
+  failNotAMesh(path, "line " + std::to_string(line) + ": " + reason, remedy);
 }
 
 void failIndex(const std::string& path, std::size_t line, std::int64_t index, std::size_t vertices, int first) {
@@ -79,7 +77,7 @@ void checkTriangleCount(const std::string& path, std::uint64_t triangles, std::s
 
 std::string_view checkedText(std::string_view bytes, const std::string& path) {
   for (const std::string_view mark : {"\xFF\xFE", "\xFE\xFF"})
-    if (bytes.substr(0, mark.size()) == mark) failNotAMesh(path, "is text in UTF-16; save it in UTF-8");
+    if (bytes.substr(0, mark.size()) == mark) failNotAMesh(path, "is text in UTF-16", "save it in UTF-8");
   const std::size_t zero = bytes.find('\0');
   if (zero != std::string_view::npos) failNotAMesh(path, "holds a zero byte at offset " + std::to_string(zero) + ", so it is not text");
   if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) bytes.remove_prefix(kByteOrderMark.size());

@@ -41,8 +41,10 @@ std::string_view withoutComment(std::string_view line);
 std::string inQuotes(std::string_view word);
 
 /// Throws kNotAMesh for a file, or for a line in it.
-[[noreturn]] void failNotAMesh(const std::string& path, const std::string& reason);
-[[noreturn]] void failNotAMesh(const std::string& path, std::size_t line, const std::string& reason);
+constexpr const char* kUsualRemedy = "check the file or export it again";
+[[noreturn]] void failNotAMesh(const std::string& path, const std::string& reason, const std::string& remedy = kUsualRemedy);
+[[noreturn]] void failNotAMesh(const std::string& path, std::size_t line, const std::string& reason,
+                               const std::string& remedy = kUsualRemedy);
 
 /// Throws kIndexOutOfRange: `line` names vertex `index`, but there are `vertices`, counted from `first`.
 [[noreturn]] void failIndex(const std::string& path, std::size_t line, std::int64_t index, std::size_t vertices, int first);

@@ -39,15 +39,15 @@ TEST(NextWord, TakesWordsOffTheFront) {
 }
 
 TEST(Scan, ARemedyIsEnough) {
-  const auto said = [](const std::string& reason) -> std::string {
+  const auto said = [](const auto&... words) -> std::string {
     try {
-      failNotAMesh("a.obj", reason);
+      failNotAMesh("a.obj", words...);
     } catch (const Error& error) {
       return error.what();
     }
   };
   EXPECT_EQ(said("is empty"), "a.obj: is empty; check the file or export it again");
-  EXPECT_EQ(said("'4OFF' is not supported; write it as OFF"), "a.obj: '4OFF' is not supported; write it as OFF");
+  EXPECT_EQ(said("'4OFF' is not supported", "write it as OFF"), "a.obj: '4OFF' is not supported; write it as OFF");
   EXPECT_EQ(said("'a; b' is no number"), "a.obj: 'a; b' is no number; check the file or export it again");
 }
 

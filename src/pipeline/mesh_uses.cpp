@@ -219,15 +219,6 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
           others(collisions, "collision") + how_well};
 }
 
-bool isSolidPrimitive(const GeometryElement& element) {
-  switch (element.kind) {
-    case GeometryElement::Kind::kBox: return element.size.minCoeff() > 0;
-    case GeometryElement::Kind::kSphere: return element.size.x() > 0;
-    case GeometryElement::Kind::kCylinder: return element.size.head<2>().minCoeff() > 0;
-    default: return false;
-  }
-}
-
 CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options) {
   if (!options || options->action == Action::kKeep) return CollisionFate::kStay;
   if (options->action == Action::kRemove) return CollisionFate::kGo;

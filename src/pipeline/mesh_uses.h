@@ -37,9 +37,6 @@ std::size_t decomposedUses(const std::vector<MeshUse>& uses);
 /// Notes on meshes that LinkOptions::source leaves out, and on a robot in which it finds none.
 std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options);
 
-/// Whether an element is a primitive that encloses something: with --source visual it becomes a <collision> element.
-bool isSolidPrimitive(const GeometryElement& element);
-
 /// What becomes of a link's <collision> elements.
 enum class CollisionFate {
   kStay,     ///< all of them
@@ -60,7 +57,7 @@ std::vector<std::string> notesOnConvex(const RobotDescription& robot, const std:
 /// On links that are kept and have nothing that collides.
 std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions);
 
-/// On visual primitives that are not, and become none.
+/// On visual primitives without a size, which get no collision geometry.
 std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDecisions& decisions);
 
 /// On settings and regions that no mesh is left for.

@@ -19,4 +19,13 @@ SourceElements sourceElements(const LinkDescription& link, Source source) {
   return {visual, visual ? link.visuals : link.collisions};
 }
 
+bool isSolidPrimitive(const GeometryElement& element) {
+  switch (element.kind) {
+    case GeometryElement::Kind::kBox: return element.size.minCoeff() > 0;
+    case GeometryElement::Kind::kSphere: return element.size.x() > 0;
+    case GeometryElement::Kind::kCylinder: return element.size.head<2>().minCoeff() > 0;
+    default: return false;
+  }
+}
+
 }  // namespace collision_hulls

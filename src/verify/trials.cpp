@@ -153,9 +153,14 @@ std::optional<Eigen::Vector3d> heldPoint(const Model& outer, const std::vector<E
   return std::nullopt;
 }
 
-/// A place near which they collide, in the frame of the first. `pose`: of the second in that frame. There may be thousands of spheres on
-/// either side, few of them near the other.
-std::optional<Eigen::Vector3d> collision(const Model& first, const Model& second, const Eigen::Isometry3d& pose) {
+/// A collision: a place near it, in the frame of the first, and whether a part of one lies inside the other while no surfaces touch.
+struct Meeting {
+  Eigen::Vector3d place;
+  bool is_inside = false;
+};
+
+/// `pose`: of the second in the frame of the first. There may be thousands of spheres on either side, few of them near the other.
+std::optional<Meeting> collision(const Model& first, const Model& second, const Eigen::Isometry3d& pose) {
   if (apart(first.box, second.box, pose)) return std::nullopt;
   std::vector<const Model::Part*> near;
   for (const Model::Part& b : second.parts)
@@ -164,11 +169,11 @@ std::optional<Eigen::Vector3d> collision(const Model& first, const Model& second
     if (near.empty() || apart(a.body.box(), second.box, pose)) continue;
     for (const Model::Part* const b : near)
       if (!apart(a.body.box(), b->body.box(), pose) && touch(a.body, b->body, pose))
-        return a.body.box().intersection(placed(b->body.box(), pose)).center();
+        return Meeting{a.body.box().intersection(placed(b->body.box(), pose)).center()};
   }
-  if (const auto held = heldPoint(first, second.points, pose)) return held;
+  if (const auto held = heldPoint(first, second.points, pose)) return Meeting{*held, true};
   const auto held = heldPoint(second, first.points, pose.inverse());
-  return held ? std::optional<Eigen::Vector3d>(pose * *held) : std::nullopt;
+  return held ? std::optional<Meeting>({pose * *held, true}) : std::nullopt;
 }
 
 /// [m] An upper bound on the distance of two surfaces: that of points near `place` which are nearest to each other in turns. Ends when it
@@ -198,6 +203,11 @@ double distanceOf(const Model& first, const Model& second, const Eigen::Isometry
   return least;
 }
 
+/// Whether what is inside may be far from all surface and yet be reached without touching any: through an opening.
+bool isOpen(const Model& model) {
+  return std::any_of(model.solids.begin(), model.solids.end(), [](const Solid* solid) { return solid->hasOpenings(); });
+}
+
 /// Both sides of a link, or twice the same box.
 struct Sides {
   const Model *original, *result;
@@ -206,12 +216,15 @@ struct Sides {
 
 enum class Outcome { kFree, kHit, kMissed, kPhantom, kContradiction };
 
-/// A collision on one side alone is within the bounds if the other side is no further apart than they add up to.
+/// A collision on one side alone is within the bounds if the other side is no further apart than they add up to. What lies inside an
+/// original and touches no surface is none that a result has to see: it covers surfaces.
 Outcome outcomeOf(const Sides& a, const Sides& b, const Eigen::Isometry3d& pose) {
   const auto hit = collision(*a.original, *b.original, pose), seen = collision(*a.result, *b.result, pose);
   if (hit.has_value() == seen.has_value()) return hit ? Outcome::kHit : Outcome::kFree;
+  if (hit && hit->is_inside) return Outcome::kFree;
   const double allowed = (hit ? a.uncovered + b.uncovered : a.protrusion + b.protrusion) + kLeastContradiction;
-  if (seen && nearness(*a.original, *b.original, pose, *seen, allowed) <= allowed) return Outcome::kPhantom;
+  if (seen && nearness(*a.original, *b.original, pose, seen->place, allowed) <= allowed) return Outcome::kPhantom;
+  if (seen && (isOpen(*a.original) || isOpen(*b.original))) return Outcome::kPhantom;
   const double away = hit ? distanceOf(*a.result, *b.result, pose, 2 * allowed) : distanceOf(*a.original, *b.original, pose, 2 * allowed);
   if (away > allowed) return Outcome::kContradiction;
   return hit ? Outcome::kMissed : Outcome::kPhantom;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -28,16 +29,24 @@ constexpr std::size_t kMostPairs = 1000;  // of links, in a report
 constexpr double kOtherUnit = 10;         // by which all links of one description are larger if it is in another unit
 constexpr double kElsewhere = 1e-6;       // [m, and of rotation matrices] by which a link's place may differ between the descriptions
 
+/// What is seen of a link; primitives of no size are nothing, as for decompose().
+std::vector<GeometryElement> visualsOf(const LinkDescription& link) {
+  std::vector<GeometryElement> elements;
+  std::copy_if(link.visuals.begin(), link.visuals.end(), std::back_inserter(elements),
+               [](const GeometryElement& element) { return element.kind == GeometryElement::Kind::kMesh || isSolidPrimitive(element); });
+  return elements;
+}
+
 std::vector<GeometryElement> elementsOf(const LinkDescription& link, const VerifyOptions& options) {
+  const std::vector<GeometryElement> visuals = visualsOf(link);
   if (options.made_from) {
     const auto known = options.made_from->of_link.find(link.name);
     const Source source = known != options.made_from->of_link.end() ? known->second : options.made_from->source;
-    const std::vector<GeometryElement> elements = sourceElements(link, source).elements;
+    const SourceElements made_from = sourceElements(link, source);
+    const std::vector<GeometryElement>& elements = made_from.visual ? visuals : made_from.elements;
     return elements.empty() ? link.collisions : elements;  // which a link without visual elements keeps
   }
-  const auto has_geometry = [](const GeometryElement& element) { return element.kind != GeometryElement::Kind::kNone; };
-  const bool no_visual = std::none_of(link.visuals.begin(), link.visuals.end(), has_geometry);
-  return options.source == Source::kCollision || (options.source == Source::kAuto && no_visual) ? link.collisions : link.visuals;
+  return options.source == Source::kCollision || (options.source == Source::kAuto && visuals.empty()) ? link.collisions : visuals;
 }
 
 /// A link of either side, and what became of it.

@@ -127,7 +127,6 @@ TEST(Trials, BoundsThatAreTooSmallAreContradicted) {
   EXPECT_LE(phantom.remarks.size(), 10u);
 }
 
-/// A box wholly inside the original touches no surface, and yet it collides.
 TEST(Trials, LinesAndPointsOfAResultCountInItsDistances) {
   const TriangleMesh cube = test_shapes::box(0.2, 0.2, 0.2);
   const TriangleMesh line{{{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}}, {{0, 1, 2}}}, point{{{0.2, 0.2, 0.2}}, {{0, 0, 0}}};
@@ -148,6 +147,59 @@ TEST(Trials, LinesAndPointsOfAResultCountInItsDistances) {
   }
 }
 
+/// A box may reach into an open box without touching it, and is then in the solid though none of its corners need be.
+TEST(Trials, WhatReachesInThroughAnOpeningContradictsNothing) {
+  TriangleMesh shell = test_shapes::box(0.2, 0.2, 0.2, 3);
+  const auto is_in_hole = [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&](int v) {
+      const Eigen::Vector3d& p = shell.vertices[static_cast<std::size_t>(v)];
+      return p.x() > 0.19 && std::abs(p.y() - 0.1) < 0.04 && std::abs(p.z() - 0.1) < 0.04;
+    });
+  };
+  shell.triangles.erase(std::remove_if(shell.triangles.begin(), shell.triangles.end(), is_in_hole), shell.triangles.end());
+  ASSERT_EQ(shell.triangles.size(), 106u);
+  LinkBodies original, result;
+  original.meshes.push_back({shell, {}});
+  GeometryElement full;
+  full.kind = Kind::kBox;
+  full.size = {0.2, 0.2, 0.2};
+  full.origin.translation().setConstant(0.1);
+  result.primitives.push_back(full);
+  LinkPair pair(original, result);
+  LinkVerification row;
+  row.diagonal = diagonal(pair.surface()) / 5;  // boxes that fit through the hole
+  pair.measure(row);
+  ASSERT_TRUE(pair.solid().hasOpenings());
+  row.protrusion.bound = 0;
+  const Trials trials = tryConfigurations(twoLinks(), {{0, &pair, &row}}, 2000, 1);
+  EXPECT_GT(trials.all.phantom, 0u);
+  EXPECT_EQ(trials.contradictions, 0u) << trials.remarks.front();
+}
+
+/// Walls cover the surface, and that is all that a result has to do.
+TEST(Trials, WhatIsInsideAndTouchesNoSurfaceIsNotMissed) {
+  LinkBodies original, walls;
+  GeometryElement cube;
+  cube.kind = Kind::kBox;
+  cube.size = {0.25, 0.25, 0.25};
+  original.primitives = {cube};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      GeometryElement wall = cube;
+      wall.size[axis] = 1.0 / 256;
+      wall.origin.translation()[axis] = side * (0.125 - 0.5 / 256);
+      walls.primitives.push_back(wall);
+    }
+  LinkPair pair(original, walls);
+  LinkVerification row;
+  row.diagonal = diagonal(pair.surface()) / 2;  // boxes that fit inside
+  row.uncovered.bound = row.protrusion.bound = 0;
+  const Trials trials = tryConfigurations(twoLinks(), {{0, &pair, &row}}, 10000, 1);
+  EXPECT_EQ(trials.contradictions, 0u) << trials.remarks.front();
+  EXPECT_EQ(trials.all.missed, 0u);
+}
+
+/// A box wholly inside the original touches no surface, and yet it collides.
 TEST(Trials, ABodyInsideAnotherCollides) {
   Cube same(1);
   same.row.diagonal /= 100;  // small boxes near the surface, half of them inside

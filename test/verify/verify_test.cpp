@@ -315,6 +315,17 @@ TEST_F(Verify, SourceSaysWhatCountsOfTheOriginal) {
   EXPECT_EQ(only(verify(bare, bare, options)).status, LinkStatus::kAdded);
 }
 
+TEST_F(Verify, VisualPrimitivesOfNoSizeAreNothing) {
+  const std::string ball = collision(primitive("sphere radius='0.1'"));
+  const Description dot = robot(fixtures::link("toe", visual(primitive("sphere radius='0'")) + ball));
+  const LinkVerification toe = only(verify(dot, dot, {}));
+  EXPECT_EQ(toe.status, LinkStatus::kOk) << toe.reason;
+  EXPECT_EQ(toe.uncovered.bound, 0);
+  const std::string both = visual(primitive("box size='0 1 1'")) + visual(primitive("box size='1 1 1'"));
+  const Description panel = robot(fixtures::link("panel", both + collision(primitive("box size='1 1 1'"))));
+  EXPECT_EQ(only(verify(panel, panel, {})).status, LinkStatus::kOk);
+}
+
 TEST_F(Verify, NothingToCompareIsAnError) {
   const Description empty = robot(fixtures::link("a", ""));
   EXPECT_THROW(verify(empty, empty, {}), Error);

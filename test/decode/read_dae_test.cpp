@@ -160,6 +160,11 @@ TEST(ReadDae, SkinsAndMorphsAreTheirGeometry) {
 TEST(ReadDae, NodesWithoutSurfaceMayHoldAnything) {
   const std::string camera = R"(<node><lookat>1 2 3 4 5 6 7 8 9</lookat><skew>45 1 0 0 0 1 0</skew><instance_camera url="#none"/></node>)";
   EXPECT_EQ(read(dae("", kTwoTriangles, camera + kPlainNode)).mesh.triangles.size(), 2u);
+  for (const char* const transform : {"<rotate>-0.5 -0.4 0 78</rotate>", "<translate>0 nan 0</translate>", "<scale>1 1</scale>"}) {
+    const std::string light = std::string("<node>") + transform + "<instance_light url=\"#none\"/></node>";
+    EXPECT_EQ(read(dae("", kTwoTriangles, light + kPlainNode)).mesh.triangles.size(), 2u) << transform;
+    expectRefused("a.dae", {{dae("", kTwoTriangles, std::string("<node>") + transform + kPlainNode + "</node>"), ""}});
+  }
 }
 
 TEST(ReadDae, ReferencesAreDecoded) {
@@ -225,7 +230,7 @@ TEST(ReadDae, RefusesIndicesThatOthersGuess) {
                              "line 9 names vertex " + std::string(word) + ", but there are 5", ErrorCode::kIndexOutOfRange}});
   for (const char* word : {"x", "4.0", "+4", "0x4", "99999999999999999999", "4,"})
     expectRefused("a.dae", {{replaced(kGood, "0 2 4<", std::string("0 2 ") + word + "<"),
-                             "<p> holds '" + std::string(word) + "', which is no index"}});
+                             "<p> holds '" + std::string(word) + "', which is not an index"}});
 }
 
 TEST(ReadDae, RefusesReferencesThatLeadNowhereOrToSeveral) {
@@ -263,29 +268,30 @@ TEST(ReadDae, RefusesPrimitivesThatOthersCutOrSkip) {
   const auto one = [](const std::string& kind, const std::string& count, const std::string& rest) {
     return primitives("<" + kind + " count='" + count + "'>" + kVertexInput + rest + "</" + kind + ">");
   };
-  expectRefused("a.dae",
-                {{one("triangles", "2", "<p>0 1 2</p>"), "<triangles> announces 2 of them but holds 1"},
-                 {one("triangles", "0", "<p>0 1 2</p>"), "announces 0 of them but holds 1"},
-                 {one("triangles", "4294967295", "<p>0 1 2</p>"), "announces 4294967295 of them"},
-                 {one("triangles", "4294967297", "<p>0 1 2</p>"), "has count = '4294967297'"},
-                 {one("triangles", "1", "<p>0 1</p>"), "has a <p> of 2 corners, which is no multiple of 3"},
-                 {one("polygons", "1", "<p>0 1 2</p><p>0 2 3</p>"), "announces 1 of them but holds 2"},
-                 {one("polygons", "1", "<ph><p>0 1 2 3</p><h>0 1 2</h></ph>"), "<ph> is a polygon with holes"},
-                 {one("polylist", "1", "<p>0 1 2</p>"), "has no <vcount>"},
-                 {one("polylist", "2", "<vcount>3</vcount><p>0 1 2</p>"), "announces 2 of them but holds 1"},
-                 {one("polylist", "1", "<vcount>4</vcount><p>0 1 2</p>"), "counts more than the 3 corners"},
-                 {one("polylist", "1", "<vcount>3</vcount><p>0 1 2 3</p>"), "counts 3 corners, but there are 4"},
-                 {one("polylist", "1", "<vcount>-3</vcount><p>0 1 2</p>"), "holds '-3', which is no number of corners"},
-                 {one("polylist", "1", "<vcount>3</vcount><p>0 1 2</p><p>0 1 2</p>"), "holds more than one <p>"},
-                 {one("triangles", "1", "<input semantic='NORMAL' offset='1'/><p>0 1 2</p>"), "holds 3 indices, which is no multiple of 2"},
-                 {one("triangles", "1", "<input semantic='NORMAL' offset='4000000000'/><p>0 1 2</p>"), "has offset = '4000000000'"},
-                 {one("triangles", "1", "<input semantic='POSITION' source='#positions'/><p>0 1 2</p>"), "has POSITION outside <vertices>"},
-                 {one("triangles", "1", kVertexInput + "<p>0 1 2</p>"), "has two VERTEX inputs"},
-                 {one("triangles", "1", "<p>0 1 <!-- 2 --> 2</p>"), "<p> holds more than a text"},
-                 {one("nurbs", "1", "<p>0 1 2</p>"), "<nurbs> is not known in a mesh"},
-                 {primitives("<triangles count='1'><p>0 1 2</p></triangles>"), "lies without a VERTEX input"},
-                 {replaced(kGood, "<mesh>", "<convex_mesh/><mesh>"), "<convex_mesh> is not supported"},
-                 {replaced(kGood, "semantic=\"POSITION\"", "semantic=\"NORMAL\""), "has no POSITION input"}});
+  expectRefused(
+      "a.dae",
+      {{one("triangles", "2", "<p>0 1 2</p>"), "<triangles> announces 2 of them but holds 1"},
+       {one("triangles", "0", "<p>0 1 2</p>"), "announces 0 of them but holds 1"},
+       {one("triangles", "4294967295", "<p>0 1 2</p>"), "announces 4294967295 of them"},
+       {one("triangles", "4294967297", "<p>0 1 2</p>"), "has count = '4294967297'"},
+       {one("triangles", "1", "<p>0 1</p>"), "has a <p> of 2 corners, which is not a multiple of 3"},
+       {one("polygons", "1", "<p>0 1 2</p><p>0 2 3</p>"), "announces 1 of them but holds 2"},
+       {one("polygons", "1", "<ph><p>0 1 2 3</p><h>0 1 2</h></ph>"), "<ph> is a polygon with holes"},
+       {one("polylist", "1", "<p>0 1 2</p>"), "has no <vcount>"},
+       {one("polylist", "2", "<vcount>3</vcount><p>0 1 2</p>"), "announces 2 of them but holds 1"},
+       {one("polylist", "1", "<vcount>4</vcount><p>0 1 2</p>"), "counts more than the 3 corners"},
+       {one("polylist", "1", "<vcount>3</vcount><p>0 1 2 3</p>"), "counts 3 corners, but there are 4"},
+       {one("polylist", "1", "<vcount>-3</vcount><p>0 1 2</p>"), "holds '-3', which is not a number of corners"},
+       {one("polylist", "1", "<vcount>3</vcount><p>0 1 2</p><p>0 1 2</p>"), "holds more than one <p>"},
+       {one("triangles", "1", "<input semantic='NORMAL' offset='1'/><p>0 1 2</p>"), "holds 3 indices, which is not a multiple of 2"},
+       {one("triangles", "1", "<input semantic='NORMAL' offset='4000000000'/><p>0 1 2</p>"), "has offset = '4000000000'"},
+       {one("triangles", "1", "<input semantic='POSITION' source='#positions'/><p>0 1 2</p>"), "has POSITION outside <vertices>"},
+       {one("triangles", "1", kVertexInput + "<p>0 1 2</p>"), "has two VERTEX inputs"},
+       {one("triangles", "1", "<p>0 1 <!-- 2 --> 2</p>"), "<p> holds more than a text"},
+       {one("nurbs", "1", "<p>0 1 2</p>"), "<nurbs> is not known in a mesh"},
+       {primitives("<triangles count='1'><p>0 1 2</p></triangles>"), "lies without a VERTEX input"},
+       {replaced(kGood, "<mesh>", "<convex_mesh/><mesh>"), "<convex_mesh> is not supported"},
+       {replaced(kGood, "semantic=\"POSITION\"", "semantic=\"NORMAL\""), "has no POSITION input"}});
 }
 
 TEST(ReadDae, RefusesTransformsThatOthersGuess) {
@@ -312,10 +318,10 @@ TEST(ReadDae, RefusesWhatReadersOfXmlDifferOn) {
                           {replaced(kGood, "<COLLADA", "<!DOCTYPE COLLADA><COLLADA"), "line 2: a declaration such as DOCTYPE"},
                           {replaced(kGood, "<asset>", "<!ELEMENT a><asset>"), "line 3: a declaration such as DOCTYPE"},
                           {replaced(kGood, "<asset>", "<?x ?><asset>"), "line 3: not well-formed XML"},
-                          {replaced(kGood, "</COLLADA>", "</COLLADA><COLLADA/>"), "no document with <COLLADA> as its only root"},
+                          {replaced(kGood, "</COLLADA>", "</COLLADA><COLLADA/>"), "not a document with <COLLADA> as its only root"},
                           {replaced(kGood, "</mesh>", ""), "not well-formed XML"},
                           {replaced(kGood, "<mesh>", "<mesh>" + std::string(1, '\0')), "zero byte"},
-                          {"<x/>", "no document with <COLLADA> as its only root"}});
+                          {"<x/>", "not a document with <COLLADA> as its only root"}});
 }
 
 TEST(ReadDae, RefusesWhatNestsWithoutEnd) {

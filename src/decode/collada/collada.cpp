@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
@@ -136,7 +137,7 @@ class SceneReader {
   }
 
   /// A <node> or <visual_scene>: its transforms, its shapes, its children, and the nodes that it instances, in this order. A node without
-  /// shapes below leaves nothing behind.
+  /// shapes below, such as a light's, leaves nothing behind, and may have faulty transforms.
   void readNode(const ColladaElement& node, const Placement& parent, int depth) {
     countNode();
     if (depth > kDeepestNode)
@@ -144,19 +145,17 @@ class SceneReader {
     const std::size_t text_before = tree_.size(), instances_before = scene_.instances.size();
     tree_ += depth == 0 ? "<visual_scene id=\"scene\">" : "<node>";
     Placement placement = parent;
-    const ColladaElement* unsupported = nullptr;
+    std::optional<Error> fault;
     for (const ColladaElement* child : childrenOf(node)) {
-      if (const TransformKind* kind = transformNamed(child->Name())) {
-        if (!readTransform(*kind, *child, depth, &placement)) unsupported = child;
-      }
+      const TransformKind* const kind = transformNamed(child->Name());
+      if (kind != nullptr && !fault) fault = faultOf([&] { readTransform(*kind, *child, depth, &placement); });
     }
     for (const ColladaElement* child : childrenOf(node)) readInstance(*child, placement);
     for (const ColladaElement* child : childrenOf(node, "node")) readNode(*child, placement, depth + 1);
     for (const ColladaElement* child : childrenOf(node, "instance_node")) readNode(instancedNode(*child), placement, depth + 1);
     tree_ += depth == 0 ? "</visual_scene>" : "</node>";
     const bool is_empty = scene_.instances.size() == instances_before;
-    if (unsupported != nullptr && !is_empty)
-      failElement(path_, *unsupported, "is not supported here; write a <matrix> or move the vertices");
+    if (fault && !is_empty) throw Error(*fault);
     if (is_empty && depth > 0) tree_.resize(text_before);
   }
 
@@ -166,10 +165,20 @@ class SceneReader {
     return node != nullptr ? *node : findIn(nodes_by_name_, instance, "url");
   }
 
-  /// False for a transform that is not supported.
-  bool readTransform(const TransformKind& kind, const ColladaElement& element, int depth, Placement* placement) {
+  /// The kNotAMesh that `work` throws.
+  template <typename Work>
+  static std::optional<Error> faultOf(const Work& work) try {
+    work();
+    return std::nullopt;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kNotAMesh) throw;
+    return error;
+  }
+
+  void readTransform(const TransformKind& kind, const ColladaElement& element, int depth, Placement* placement) {
     countNode();
-    if (kind.name == "lookat" || kind.name == "skew" || depth == 0) return false;
+    if (kind.name == "lookat" || kind.name == "skew" || depth == 0)
+      failElement(path_, element, "is not supported here; write a <matrix> or move the vertices");
     std::array<double, 16> numbers{};
     std::string_view text = textOf(path_, element);
     std::string spelt;
@@ -186,7 +195,6 @@ class SceneReader {
       failElement(path_, element, "does not end with the row 0 0 0 1");
     tree_ += "<" + std::string(kind.name) + ">" + spelt + "</" + std::string(kind.name) + ">";
     *placement = Placement(*placement, transformOf(kind.name, numbers));
-    return true;
   }
 
   /// Assimp takes an axis for a unit vector.

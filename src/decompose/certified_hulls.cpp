@@ -49,6 +49,7 @@ struct Attempt {
   CertifiedHulls result;
   std::vector<ConvexHull> before_padding;  // cover the mesh; empty without padding
   bool capped = false;                     // caps made the hulls coarser
+  bool too_fine = false;                   // see Decomposition
   double blunted = 0;                      // [m] see RoundedHulls
 };
 
@@ -153,6 +154,7 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
     loose = loose || is_loose(result.regions[i].bound, result.regions[i].found, options.regions[i].tolerance);
   if (loose && certifying.late()) result.untried += std::string(result.untried.empty() ? "" : ", ") + "a tight bound";
   attempt.capped = parts.capped;
+  attempt.too_fine = parts.too_fine;
   attempt.blunted = rounded.blunted;
   return attempt;
 }
@@ -179,7 +181,7 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
     }
     best = std::move(attempt);
     const double over = boundShare(best.result, options);
-    if (!aims || best.capped || over <= 1 || !best.result.untried.empty()) break;
+    if (!aims || best.capped || best.too_fine || over <= 1 || !best.result.untried.empty()) break;
     lowerAim(aim, i, over);
   }
   best.result.seconds = spent;
@@ -200,6 +202,9 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
     return std::string(name(options.method)) + " ignores the tolerance; use another method";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
   if (!made.result.untried.empty()) return "time ran out (not done: " + made.result.untried + "); raise the time limit or the tolerance";
+  if (made.too_fine)
+    return "the tolerance asks for more pieces than a mesh is divided into; raise it to what the hulls keep, " +
+           millimetres(made.result.bound) + ", or remove small parts";
   const std::string hulls = "max-hulls " + std::to_string(options.max_hulls);
   if (made.capped && options.method == Method::kCertified)
     return "the limit (" + hulls + ") made the hulls coarser; raise it, or the tolerance";

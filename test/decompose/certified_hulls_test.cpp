@@ -53,6 +53,27 @@ void expectPromise(const TriangleMesh& mesh, const CertifiedHulls& result, doubl
   }
 }
 
+/// A folded sheet has more facets than `instant` divides a mesh into. At twice the tolerance they need not be told apart.
+TEST(CertifiedHulls, AToleranceThatAsksForTooManyPiecesGivesWayToTheNext) {
+  constexpr double kHeight = 5e-4, kTolerance = 2e-4;
+  TriangleMesh sheet;
+  for (int i = 0; i <= 1100; ++i)
+    for (const double y : {0.0, 0.01}) sheet.vertices.emplace_back(1e-3 * i, y, kHeight * (i % 2));
+  for (int i = 0; i < 1100; ++i) {
+    sheet.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+    sheet.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+  }
+  DecomposeOptions options = within(kTolerance);
+  options.effort = Effort::kInstant;
+  const CertifiedHulls result = certifiedHulls(sheet, options);
+  expectPromise(sheet, result, kTolerance);
+  EXPECT_GT(result.bound, kTolerance);
+  EXPECT_LE(result.bound, 2 * kTolerance);
+  EXPECT_LT(result.hulls.size(), 1000u) << "pieces that were not merged";
+  EXPECT_NE(result.reason.find("more pieces than a mesh is divided into; raise it to what the hulls keep"), std::string::npos)
+      << result.reason;
+}
+
 TEST(CertifiedHulls, RefusesWhatItCannotCertify) {
   const TriangleMesh box = test_shapes::box(1, 2, 3);
   expectError(ErrorCode::kEmptyMesh, "no triangles", [] { certifiedHulls(TriangleMesh(), within(0.1)); });

@@ -61,6 +61,9 @@ struct Decomposition {
   std::vector<ConvexHull> hulls;
   /// a limit (on hulls or vertices) made the result coarser than the tolerance alone would
   bool capped = false;
+  /// the tolerance asks for more pieces than a mesh is divided into: the hulls are those of a
+  /// larger one (certified)
+  bool too_fine = false;
   /// what the control's deadline cut short or left out, for people; empty: nothing
   std::string untried;
 };

@@ -12,6 +12,7 @@
 //   if a hull of the cover may hold a pocket: merge its leaves anew, with a search for pockets in each hull that is tried;
 //     if a leaf may hold one: all this once more, with that search
 //   Effort::kBest does all this after Effort::kQuick has, and the cover of fewer hulls counts
+//   if the mesh falls into too many leaves: all of this at the next larger tolerance that is coarse enough
 //   if a limit on hulls asks for fewer: a cut of treeAbove(cover), if it is near                     tree_building.h
 //     or all of this at larger tolerances, whichever protrudes less                                  hull_limit.h
 //     (where far fewer are asked for, the first way to split shows that, and the rest of the search is left out)
@@ -67,6 +68,9 @@ constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleV
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(), kFew = 24, kVeryFew = 10;
 // Multiples of the tolerance that are tried before it where there is a deadline.
 constexpr double kCoarsest = 16, kCoarser = 4;
+constexpr double kNextTolerance = 2;  // times one at which a mesh falls into too many pieces
+// The most leaves of a part that is split on its own, for Effort::kInstant and for others; and how many times as many a mesh may have.
+constexpr std::size_t kMostForInstant = 1000, kMostLeaves = 5000, kMostInAll = 2;
 // Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of
 // splitting.
 constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
@@ -93,10 +97,11 @@ struct Plan {
   std::size_t elements = 0;    // pieces that leaves are divided into for the search; 0: leaves are not divided
   long first_evaluations = 0;  // evaluations for the search after each way of splitting,
   long evaluations = 0;        // and for the final search on the best cover
+  std::size_t most_leaves = kMostLeaves;
 };
 
 Plan planFor(Effort effort) {
-  if (effort == Effort::kInstant) return {{{kLargeSides}}, 0, 0, 0};
+  if (effort == Effort::kInstant) return {{{kLargeSides}}, 0, 0, 0, kMostForInstant};
   if (effort == Effort::kQuick)
     return {{{kLargeSides}, {kAnySide, kLeafShare, kFew}, {kLargeSides, kLargeLeafShare, kVeryFew, true}}, 0, 0, kQuickEvaluations};
   Plan plan{{}, kBestElements, kFirstEvaluations, kBestEvaluations};
@@ -132,20 +137,22 @@ class Job {
   }
 
   /// The steps at the top of this file, without the tree. The cover's hulls, capped, are proven to fit, but for leaves that could not be
-  /// split, or not in time. groups_ is then what the cover's groups belong to.
+  /// split, or not in time. groups_ is then what the cover's groups belong to. Where the mesh would fall into too many pieces, this is done
+  /// at the least of some larger tolerances for which it does not.
   Cover cover() {
-    Cover first = searched();
-    if (isFarTooMany(first.size())) return first;
-    bool is_free = true;
-    inTime([&] { is_free = freeOfPockets(first); });
-    if (is_free) return first;
-    oracle_.provePockets();
-    std::unique_ptr<SurfaceGroups> groups_of_first = std::move(groups_);
-    Cover second = searched();
-    if (!searching_.late()) return second;
-    groups_ = std::move(groups_of_first);
-    return first;
+    Cover result = coverHere();
+    const double most = boundingBox(mesh_).diagonal().norm();
+    while (surplus_ && tolerance_ < most && !searching_.late()) {
+      is_too_fine_ = true;
+      setTolerance(kNextTolerance * tolerance_);
+      groups_.reset();
+      result = coverHere();
+    }
+    return result;
   }
+
+  /// Whether cover() had to take a larger tolerance.
+  bool isTooFine() const { return is_too_fine_; }
 
   /// What the deadline cut short or left out; empty: nothing.
   const std::string& untried() const { return untried_; }
@@ -185,6 +192,20 @@ class Job {
   }
 
  private:
+  Cover coverHere() {
+    Cover first = searched();
+    if (surplus_ || isFarTooMany(first.size())) return first;
+    bool is_free = true;
+    inTime([&] { is_free = freeOfPockets(first); });
+    if (is_free) return first;
+    oracle_.provePockets();
+    std::unique_ptr<SurfaceGroups> groups_of_first = std::move(groups_);
+    Cover second = searched();
+    if (!searching_.late()) return second;
+    groups_ = std::move(groups_of_first);
+    return first;
+  }
+
   /// The tree, in the job's frame.
   HullTree treeHere(Cover cover, TreeBounds bounds) {
     searching_.stops_at_deadline = false;
@@ -260,7 +281,7 @@ class Job {
     whole_ = {0, kQuickShare};
     Cover quick = searchedBy(planFor(Effort::kQuick), std::move(coarse));
     whole_ = {kQuickShare, 1};
-    if (searching_.late() || isFarTooMany(quick.size()) || isMinimal(quick)) return quick;
+    if (searching_.late() || surplus_ || isFarTooMany(quick.size()) || isMinimal(quick)) return quick;
     std::unique_ptr<SurfaceGroups> groups_of_quick = std::move(groups_);
     divided_ = false;
     Cover best = searchedBy(plan_, {});
@@ -277,13 +298,15 @@ class Job {
     for (const Way& way : plan.ways) {
       if (groups_ && (searching_.late() || !isAtOwnTolerance())) break;
       const bool is_better = best.size() <= way.few && tryWay(plan, way, stretch, best);
+      if (surplus_) break;
       if ((divided_ && isFarTooMany(best.size())) || (is_better && untried_.empty() && isMinimal(best))) return best;
       stretch = {stretch.to, stretch.to + step};
     }
-    if (!divided_ && coarse.groups) {
+    if ((!divided_ || surplus_) && coarse.groups) {
       groups_ = std::move(coarse.groups);
       return coarse.cover;
     }
+    if (surplus_) return best;
     if (plan.ways.size() > 1) note("other ways to divide it");
     best = improved(std::move(best), *groups_, {plan.evaluations, options_.seed, leastKnown()}, reporting({kCovered, kSearched}));
     if (plan.evaluations > 0) note("the search for fewer hulls");
@@ -310,14 +333,21 @@ class Job {
   bool tryWay(const Plan& plan, const Way& way, const Stretch& stretch, Cover& best) {
     // Parts that finish a largest side first hardly merge, so they have to be few from the start.
     const auto enough = static_cast<double>(way.largest_side_first ? best.size() : leaves_);
-    const std::size_t most = groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * enough) : SplitOptions{}.most_leaves;
+    const std::size_t most = groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * enough) : plan.most_leaves;
     const std::optional<HalfSpace> largest_side = way.largest_side_first ? largestSideOfAll() : std::nullopt;
     if (way.largest_side_first && !largest_side) return false;
     const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(stretch.part(0, kSplitting)));
-    if (groups_ && (parts.size() >= most || searching_.late())) return false;  // what is left whole would pass for few hulls
+    const bool has_surplus = std::any_of(parts.begin(), parts.end(), [](const Leaf& leaf) { return leaf.is_surplus; });
+    if (groups_ && (parts.size() >= most || has_surplus || searching_.late())) return false;  // what is whole would pass for few hulls
+    surplus_ = has_surplus;
     divided_ = !searching_.late();
     note("the division of all of the surface within the tolerance");
     auto groups = std::make_unique<SurfaceGroups>(parts, plan.elements, oracle_, options_.max_vertices);
+    if (surplus_) {
+      best = groups->leaves();
+      groups_ = std::move(groups);
+      return true;
+    }
     Cover cover = mergedBest(groups->leaves(), *groups);
     note("the merging of hulls");
     if (plan.first_evaluations > 0) {
@@ -366,7 +396,7 @@ class Job {
   std::vector<Leaf> leaves(const Way& way, const std::optional<HalfSpace>& largest_side, std::size_t most,
                            const std::function<void(double)>& progress) {
     oracle_.setShare(way.leaf_share);
-    const SplitOptions options{way.weights, options_.max_vertices, options_.fill, most, largest_side};
+    const SplitOptions options{way.weights, options_.max_vertices, options_.fill, most, kMostInAll * plan_.most_leaves, largest_side};
     std::vector<Leaf> leaves = splitIntoLeaves(mesh_, oracle_, options, progress);
     oracle_.setShare(1);
     return leaves;
@@ -396,6 +426,8 @@ class Job {
   std::unique_ptr<SurfaceGroups> groups_;  // of the best cover
   std::size_t leaves_ = 0;                 // that it was merged from
   bool divided_ = false;                   // by the last way in time
+  bool surplus_ = false;                   // leaves stayed whole, as there were too many
+  bool is_too_fine_ = false;               // the tolerance
   Stretch whole_;                          // of the run, for what is done now
   std::string untried_;
 };
@@ -433,6 +465,7 @@ Decomposition certified(const RepairedMesh& mesh, const Solid& solid, const Deco
   const Cover cover = job.cover();
   result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
   result.hulls = result.capped ? job.limited(cover) : job.hullsOf(cover);
+  result.too_fine = job.isTooFine();
   result.untried = job.untried();
   control.report(1);
   return result;

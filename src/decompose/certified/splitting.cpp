@@ -45,7 +45,6 @@ constexpr double kSlim = 0.01, kSmall = 0.01;   // in tolerances and as a share 
 constexpr double kOnPlane = 1e-9;               // in extents of the whole mesh
 constexpr double kAlongPlane = 0.01;            // in tolerances
 constexpr int kHalveFrom = 40, kDeepest = 200;  // depth of recursion from which pieces are simply halved, and where it ends
-constexpr double kMostLeaves = 10'000;          // per mesh; parts get shares in proportion to their areas
 constexpr std::size_t kApart = 1000, kShares = 16;  // triangles, and shares of them all, that make a part worth a thread
 
 using Intruders = std::vector<OutsideDistance::Intruder>;
@@ -155,7 +154,7 @@ class Splitting {
     ConvexHull& hull = whole.hull = hullOf(some(points));
     const ConvexHull thin = thinned(hull, kThin);
     const double reach = oracle_.reach(thin);
-    const bool clear = !std::isinf(reach), is_last = depth >= kDeepest || isFull();
+    const bool clear = !std::isinf(reach), is_full = isFull(), is_last = depth >= kDeepest || is_full;
     const auto complete = [&] {
       if (points.size() > kSome) hull = hullOf(points);
     };
@@ -166,6 +165,7 @@ class Splitting {
     const bool is_asked = !reduced && points.size() <= kSome && thin.vertices.size() == hull.vertices.size();
     const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
     whole.fits = fits;
+    whole.is_surplus = !fits && is_full;
     if (fits) whole.reduced = reduced;
     if (fits || is_last) return {};
     std::vector<Block> parts = inOrder(components(block, control()));
@@ -242,7 +242,8 @@ std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& or
   Done done(area(whole), progress);
   // Where only the surface counts, faces along a plane need not be cut by it because their vertices are not quite in it.
   const double on_plane = options.fill ? kOnPlane * boundingBox(whole).sizes().maxCoeff() : kAlongPlane * oracle.tolerance();
-  Splitting splitting(oracle, options, on_plane, std::max(kApart, whole.triangles.size() / kShares), kMostLeaves, done);
+  Splitting splitting(oracle, options, on_plane, std::max(kApart, whole.triangles.size() / kShares),
+                      static_cast<double>(options.most_in_all), done);
   const Cell cell = options.fill ? Cell(boundingBox(whole), oracle.solid()) : Cell();
   std::vector<Block> blocks;
   blocks.push_back({std::move(whole), cell});

@@ -110,6 +110,11 @@ TEST(Splitting, StopsAtTheLimitOnLeaves) {
   const std::vector<Leaf> leaves = subject.leaves(options);
   EXPECT_GE(leaves.size(), options.most_leaves);
   EXPECT_LT(leaves.size(), all);
+  const auto is_surplus = [](const Leaf& leaf) { return leaf.is_surplus; };
+  EXPECT_TRUE(std::any_of(leaves.begin(), leaves.end(), is_surplus));
+  for (const Leaf& leaf : leaves) EXPECT_FALSE(leaf.is_surplus && leaf.fits);
+  const std::vector<Leaf> unlimited = subject.leaves();
+  EXPECT_TRUE(std::none_of(unlimited.begin(), unlimited.end(), is_surplus));
   EXPECT_LE(uncovered(subject.mesh.mesh, hullsOf(leaves)), 1e-12);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -220,6 +221,30 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
                           : "will not be found from '" + newDescription(result, output) + "': add --rebase")};
 }
 
+/// The URIs of all meshes.
+std::set<std::string> meshUris(const RobotDescription& robot) {
+  std::set<std::string> uris;
+  for (const LinkDescription& link : robot.links)
+    for (const auto* elements : {&link.visuals, &link.collisions})
+      for (const GeometryElement& element : *elements)
+        if (element.kind == GeometryElement::Kind::kMesh) uris.insert(element.uri);
+  return uris;
+}
+
+/// On meshes that the new description still names by a package that was not found, though a folder stood in for it here.
+std::vector<std::string> notesOnStandIns(const RobotDescription& robot, const PackageFinder& find_package, const RobotResult& result,
+                                         const RunControl& control) {
+  if (result.report.options.rebase || allFailed(result.report)) return {};
+  std::set<std::string> kept = meshUris(parseRobotDescription(result.urdf, "", control));
+  const std::set<std::string> given = meshUris(robot);
+  for (auto uri = kept.begin(); uri != kept.end();)
+    uri = given.count(*uri) > 0 && leadsToStandIn(*uri, robot.path, find_package) ? std::next(uri) : kept.erase(uri);
+  if (kept.empty()) return {};
+  return {counted(kept.size(), "mesh URI") + " of the new description " + (kept.size() == 1 ? "names" : "name") +
+          " a package that was not found, such as '" + *kept.begin() +
+          "', and viewers will not find it either: add --rebase for names that lead to the files"};
+}
+
 /// On what Gazebo called the collision of a link, where hulls with other names have taken its place.
 std::vector<std::string> notesOnContacts(const RobotResult& result) {
   std::set<std::string> replaced;
@@ -324,7 +349,8 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
        {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnBare(robot, decisions.front()),
         notesOnFlat(robot, decisions.front()), notesOnIdle(robot, decisions.front(), options, control), notes,
         notesOnAgain(robot, result.report, find_package, output, control), notesOnFailed(robot, result), notesOnCarried(result),
-        notesOnRewritten(result, output, source.uris, control), notesOnContacts(result), notesOnMujoco(result)})
+        notesOnRewritten(result, output, source.uris, control), notesOnStandIns(robot, find_package, result, control),
+        notesOnContacts(result), notesOnMujoco(result)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

@@ -73,8 +73,12 @@ std::string cutShort(const FoundDescriptions& found) {
 std::string commandsFor(const FoundDescriptions& found, const CommandAround& command) {
   constexpr std::size_t kMostListed = 12;
   const std::vector<std::string>& descriptions = found.files;
-  std::string text =
-      counted(descriptions.size(), "robot description") + cutShort(found) + "; run" + (descriptions.size() > 1 ? " one of" : "");
+  const std::string counted_all = counted(descriptions.size(), found.are_parts ? "file" : "robot description") + cutShort(found);
+  std::string text = counted_all +
+                     (found.are_parts ? ", none of which seems to make a robot, as they define macros for other files: give the "
+                                        "description that calls them, which may be in another package, or try"
+                                      : "; run") +
+                     (descriptions.size() > 1 ? " one of" : "");
   for (std::size_t i = 0; i < std::min(descriptions.size(), kMostListed); ++i)
     text += "\n  " + command.program + " " + shellWord(descriptions[i]) + (command.options.empty() ? "" : " " + command.options);
   if (descriptions.size() > kMostListed) text += "\n  or with one of " + std::to_string(descriptions.size() - kMostListed) + " more";
@@ -84,7 +88,10 @@ std::string commandsFor(const FoundDescriptions& found, const CommandAround& com
 Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const CommandAround& command,
                    const RunControl& control) {
   FoundDescriptions found{robotDescriptionsIn(folder)};
-  if (found.files.empty()) found = robotDescriptionsBelow(folder);
+  if (found.files.size() != 1) {
+    FoundDescriptions below = robotDescriptionsBelow(folder);
+    if (found.files.empty() || below.are_parts) found = std::move(below);
+  }
   if (found.files.size() == 1 && found.cut_after == 0) return robotInput(found.files.front(), package_path, control);
   if (found.files.empty()) {
     throw Error(ErrorCode::kFileNotFound, "package '" + name + "' (" + folder + ") has no .urdf or .xacro file" + cutShort(found) +

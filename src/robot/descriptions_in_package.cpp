@@ -120,12 +120,6 @@ std::vector<std::string> robotsAmong(const std::vector<std::string>& files, cons
   return descriptions;
 }
 
-/// The same, but all files where none is a robot.
-std::vector<std::string> judged(const std::vector<std::string>& files, const fs::path& package) {
-  const std::vector<std::string> robots = robotsAmong(files, package);
-  return robots.empty() ? files : robots;
-}
-
 /// The package that a file below `folder` lies in; `folder` itself where there is none.
 fs::path packageBelow(const fs::path& folder, const fs::path& file) {
   for (fs::path above = file.parent_path(); above != folder && above.has_relative_path(); above = above.parent_path())
@@ -133,16 +127,17 @@ fs::path packageBelow(const fs::path& folder, const fs::path& file) {
   return folder;
 }
 
-/// The same for files of several packages, package by package: what "$(find NAME)" means depends on it.
-std::vector<std::string> judgedByPackage(const std::vector<std::string>& files, const fs::path& folder) {
+/// The same for files of several packages, package by package: what "$(find NAME)" means depends on it. All files of a package in which
+/// none is a robot.
+void judgeByPackage(const std::vector<std::string>& files, const fs::path& folder, FoundDescriptions& found) {
   std::map<fs::path, std::vector<std::string>> by_package;
   for (const std::string& file : files) by_package[packageBelow(folder, file)].push_back(file);
-  std::vector<std::string> all;
+  found.are_parts = !files.empty();
   for (const auto& [package, of_package] : by_package) {
-    const std::vector<std::string> descriptions = judged(of_package, package);
-    all.insert(all.end(), descriptions.begin(), descriptions.end());
+    const std::vector<std::string> robots = robotsAmong(of_package, package), &chosen = robots.empty() ? of_package : robots;
+    found.files.insert(found.files.end(), chosen.begin(), chosen.end());
+    found.are_parts = found.are_parts && robots.empty();
   }
-  return all;
 }
 
 /// In an output of ours: without the copies of a description that --for writes for consumers with tags of their own.
@@ -191,7 +186,7 @@ FoundDescriptions robotDescriptionsBelow(const std::string& folder) {
   }
   for (std::vector<std::string>* files : {&urdf, &xacro}) std::sort(files->begin(), files->end());
   urdf.insert(urdf.end(), xacro.begin(), xacro.end());
-  found.files = judgedByPackage(urdf, folder);
+  judgeByPackage(urdf, folder, found);
   return found;
 }
 

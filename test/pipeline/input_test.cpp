@@ -153,6 +153,15 @@ TEST_F(OpenInput, RobotsInOtherFolders) {
               {"no package.xml; it has 1 robot description; run\n  decompose '" + (folder_ / "loose/model 1.urdf") + "'"});
 }
 
+TEST_F(OpenInput, SaysThatFilesOnlyDefineMacros) {
+  addPackage("parts_description");
+  for (const char* const name : {"arm.urdf.xacro", "hand.urdf.xacro"})
+    fixtures::write(folder_ / ("parts_description/urdf/" + std::string(name)),
+                    "<robot xmlns:xacro='x'><xacro:macro name='m'><link name='a'/></xacro:macro></robot>");
+  expectError("parts_description", ErrorCode::kNotARobot,
+              {"2 files, none of which seems to make a robot", "define macros for other files", "or try one of\n  decompose "});
+}
+
 TEST_F(OpenInput, SaysThatTheSearchWasCutShort) {
   addPackage("full_description");
   std::filesystem::create_directory(folder_ / "full_description/data");

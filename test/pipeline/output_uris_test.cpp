@@ -2,6 +2,8 @@
 // Also tests src/pipeline/collision_model.cpp.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "collision_hulls/pipeline/output.h"
 #include "pipeline/robot_run.h"
 
@@ -48,6 +50,21 @@ TEST_F(OutputUris, NotesThoseThatNowResolveElsewhere) {
   }
   options_.links = "tip";
   EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
+}
+
+TEST_F(OutputUris, NotesThoseOfAPackageThatAFolderStandsInFor) {
+  const std::string links = link("base", "    <visual>" + meshTag("package://meshes/box.obj") + "</visual>\n" + collision("bracket.obj"));
+  const auto mention = [&](const std::string& part) {
+    const std::vector<std::string> notes = run(links).report.notes;
+    return std::count_if(notes.begin(), notes.end(), [&](const std::string& note) { return note.find(part) != std::string::npos; });
+  };
+  EXPECT_EQ(mention("1 mesh URI of the new description names a package that was not found, such as 'package://meshes/box.obj'"), 1);
+  RobotResult result = run(links);
+  writeOutput(result, folder_ / "out");
+  EXPECT_EQ(mention("1 mesh URI of the new description names"), 1) << "the hulls' own package is not meant";
+  options_.rebase = true;
+  EXPECT_EQ(mention("of the new description names"), 0);
+  EXPECT_EQ(run(links).urdf.find("package://meshes/"), std::string::npos);
 }
 
 TEST_F(OutputUris, RebasedAreFoundFromTheOutput) {

@@ -67,6 +67,13 @@ TEST_F(Rebase, EachStyleLeadsToTheSameFile) {
   }
 }
 
+TEST_F(Rebase, APackageThatAFolderStandsInFor) {
+  EXPECT_EQ(newUri("package://meshes/it's 100%2520.obj"), "package://my_arm/meshes/it's%20100%2520.obj");
+  EXPECT_EQ(newUri("package://nowhere/x.obj"), "package://nowhere/x.obj") << "nothing stands in";
+  path_ = {folder_ / "arm"};
+  EXPECT_EQ(newUri("package://my_arm/urdf/skin.png"), "package://my_arm/urdf/skin.png") << "it is known";
+}
+
 TEST_F(Rebase, TheStyles) {
   EXPECT_EQ(newUri("../meshes/a &amp; b.obj"), "package://my_arm/meshes/a%20&%20b.obj");
   EXPECT_EQ(newUri("../../loose/c.obj"), fileUriOf("loose/c.obj")) << "in no package";

@@ -181,6 +181,7 @@ struct FoundDescriptions {
   std::vector<std::string> files;
   /// how many files and folders were looked at before the search was cut short; 0: it saw all
   std::size_t cut_after = 0;
+  bool are_parts = false;  ///< none seems to make a robot: they define macros for other files
 };
 
 /// The same of all folders below one, hidden ones aside; for packages that keep them elsewhere.
@@ -197,6 +198,9 @@ struct SourceElements {
   std::vector<GeometryElement> elements;
 };
 SourceElements sourceElements(const LinkDescription& link, Source source);
+
+/// Whether an element is a primitive of some size; one that has none is nothing that could be hit.
+bool isSolidPrimitive(const GeometryElement& element);
 
 /// A `<collision>` to be written: a mesh by its URI at an origin, or a primitive.
 struct CollisionElement {

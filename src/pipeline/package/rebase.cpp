@@ -36,7 +36,7 @@ std::optional<std::string> uriInPackage(const fs::path& file, const fs::path& re
   return std::nullopt;
 }
 
-/// Where relative URIs of a description lead, asked once for each.
+/// Where the URIs of a description lead that nobody else could follow, asked once for each.
 class Rebasing {
  public:
   Rebasing(const RobotDescription& robot, const PackageFinder& find_package, UriStyle style, const std::string& new_file,
@@ -46,7 +46,7 @@ class Rebasing {
   /// nullopt for a URI that stays.
   std::optional<std::string> of(const std::string& uri) {
     control_.check();
-    if (!isRelativeUri(uri)) return std::nullopt;
+    if (!isRelativeUri(uri) && !leadsToStandIn(uri, base_, find_package_)) return std::nullopt;
     const auto [known, is_new] = uris_.try_emplace(uri);
     if (is_new) known->second = found(uri);
     return known->second;
@@ -85,6 +85,13 @@ class Rebasing {
 };
 
 }  // namespace
+
+bool leadsToStandIn(const std::string& uri, const std::string& base, const PackageFinder& find_package) try {
+  const std::optional<std::string> package = packageOf(uri);
+  return package && !find_package.knownPackage(*package) && !resolveUri(uri, base, find_package).empty();
+} catch (const Error&) {
+  return false;  // to nothing
+}
 
 RebasedDescription rebased(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
                            const std::string& new_file, const std::map<std::string, std::string>& moved, const RunControl& control) {

@@ -1,4 +1,4 @@
-"""Starts Snakemake on the jobs of a batch, here or on a cluster, and ends it in order."""
+"""Starts Snakemake on the jobs of a batch, here or on a cluster, and shuts it down cleanly."""
 import os
 import pathlib
 import shlex

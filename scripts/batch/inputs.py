@@ -125,7 +125,7 @@ def of_manifest(path, known):
     try:
         unknown = [column for column in rows.fieldnames or [] if column not in {"input", "name", *known}]
         if unknown or "input" not in (rows.fieldnames or []):
-            what = f"has a column '{unknown[0]}', which is no option of decompose" if unknown else "has no column 'input'"
+            what = f"has a column '{unknown[0]}', which is not an option of decompose" if unknown else "has no column 'input'"
             raise Failure(f"'{path}' {what}; its columns are input, name, and options such as tolerance or config")
         for row in rows:
             if not row["input"]:
@@ -148,12 +148,13 @@ def name_of(item):
 
 
 def named(items):
-    """Each once, with a name of its own: one that several would have is followed by digits of the path's hash, and so stays theirs."""
+    """Each once, with a name of its own: one that several would have is followed by digits of a hash, and so stays theirs."""
     items = list({(item.path, str(item.options), item.name): item for item in items}.values())
     names = [name_of(item) for item in items]
     count = collections.Counter(names)
     for item, name in zip(items, names):
-        item.name = name if count[name] == 1 else f"{name}_{sha256(item.path + str(item.options))[:8]}"
+        digits = sha256(item.path + str(item.options) + item.name)[:8]
+        item.name = name if count[name] == 1 else f"{name}_{digits}"
     return items
 
 

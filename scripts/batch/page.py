@@ -7,6 +7,7 @@ import json
 import math
 import pathlib
 import re
+import textwrap
 import urllib.parse
 
 import progress
@@ -120,7 +121,7 @@ def worst(rows):
 def why(row):
     """Its reason, and that of its first mesh that failed."""
     first = next((mesh["reason"] for mesh in row["meshes"] if mesh["status"] == "failed"), "")
-    return (row["reason"] + (": " if first else "") + first)[:400]
+    return textwrap.shorten(row["reason"] + (": " if first else "") + first, 400, placeholder=" …")
 
 
 def summary(rows):

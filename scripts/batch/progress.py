@@ -77,7 +77,8 @@ def kinds(rows):
     found = {}
     for item in (item for row in rows for item in [row, *row["meshes"]] if item["cause"]):
         is_own = item["cause"] == "Refused"
-        kind = re.sub(r"'[^']*'|\[[^]]*\]|\d+", "…", item["reason"])[:120] if is_own else item["cause"]
+        own_words = re.sub(r"'[^']*'|\[[^]]*\]|\d+", "…", item["reason"])
+        kind = textwrap.shorten(own_words, 120, placeholder=" …") if is_own else item["cause"]
         found.setdefault(kind, [0, kind, "" if is_own else item["reason"]])[0] += 1
     return sorted(found.values(), key=lambda kind: -kind[0])
 

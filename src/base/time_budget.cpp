@@ -16,10 +16,11 @@ RunControl::Time after(const RunControl::Time& now, double seconds) {
 
 }  // namespace
 
-TimeBudget::TimeBudget(double seconds, std::vector<double> costs, std::size_t threads, Clock clock)
-    : clock_(std::move(clock)),
-      end_(seconds > 0 ? after(clock_(), seconds) : RunControl::Time::max()),
-      threads_(static_cast<double>(threads)) {
+TimeBudget::TimeBudget(double seconds, Clock clock)
+    : clock_(std::move(clock)), end_(seconds > 0 ? after(clock_(), seconds) : RunControl::Time::max()) {}
+
+void TimeBudget::share(const std::vector<double>& costs, std::size_t threads) {
+  threads_ = static_cast<double>(threads);
   for (const double cost : costs) tasks_.push_back({cost, State::kWaiting, end_});
 }
 

@@ -16,8 +16,11 @@ class TimeBudget {
  public:
   using Clock = std::function<RunControl::Time()>;
 
-  /// From now on, for tasks of these expected costs on so many threads. 0 seconds: no limit.
-  TimeBudget(double seconds, std::vector<double> costs, std::size_t threads, Clock clock = std::chrono::steady_clock::now);
+  /// From now on. 0 seconds: no limit.
+  explicit TimeBudget(double seconds, Clock clock = std::chrono::steady_clock::now);
+
+  /// Among tasks of these expected costs on so many threads; before any begins.
+  void share(const std::vector<double>& costs, std::size_t threads);
 
   /// When a task that begins now, or has begun, should be done. One that takes no time need not begin.
   RunControl::Time begin(std::size_t task);
@@ -39,7 +42,7 @@ class TimeBudget {
 
   const Clock clock_;
   const RunControl::Time end_;
-  const double threads_;
+  double threads_ = 1;
   std::mutex mutex_;
   std::vector<Task> tasks_;
 };

@@ -48,8 +48,17 @@ ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const std::
 }
 
 void refuseFormat(Consumer consumer, MeshFormat format, const std::string& reads) {
-  throw Error(ErrorCode::kBadOption,
-              std::string("--for ") + name(consumer) + " does not go with --format " + (extension(format) + 1) + ": it reads " + reads);
+  throw Error(ErrorCode::kBadOption, std::string("--for ") + name(consumer) + " does not go with format '" + (extension(format) + 1) +
+                                         "': it reads " + reads + "; leave the format out");
+}
+
+/// Refuses a model, beside the first, whose description would take the place of the consumer's.
+void refuseModel(Consumer consumer, const Options& options) {
+  if (consumer != Consumer::kDrake && consumer != Consumer::kTesseract) return;
+  for (std::size_t i = 1; i < options.models.size(); ++i)
+    if (options.models[i].name == name(consumer))
+      throw Error(ErrorCode::kBadOption, "model '" + options.models[i].name + "': --for " + name(consumer) +
+                                             " writes a description of that name; give the model another one");
 }
 
 /// What has to be known of a consumer's files, or in place of them.
@@ -89,15 +98,14 @@ Shapes shapesFor(const std::vector<Consumer>& consumers, Shapes usual) {
 
 void check(const std::vector<Consumer>& consumers, const Options& options) {
   for (const Consumer consumer : consumers) {
-    if (consumer == Consumer::kMujoco && options.format == MeshFormat::kDae)
-      refuseFormat(consumer, options.format, "stl and obj; leave --format out");
-    if (consumer == Consumer::kDrake && options.format != MeshFormat::kObj)
-      refuseFormat(consumer, options.format, "obj alone; leave --format out");
+    refuseModel(consumer, options);
+    if (consumer == Consumer::kMujoco && options.format == MeshFormat::kDae) refuseFormat(consumer, options.format, "stl and obj");
+    if (consumer == Consumer::kDrake && options.format != MeshFormat::kObj) refuseFormat(consumer, options.format, "obj alone");
     if (consumer == Consumer::kCurobo && options.shapes != Shapes::kSpheres)
-      throw Error(ErrorCode::kBadOption, std::string("--for curobo does not go with --shapes ") + name(options.shapes) +
-                                             ": it takes spheres alone; leave --shapes out");
+      throw Error(ErrorCode::kBadOption, std::string("--for curobo does not go with shapes '") + name(options.shapes) +
+                                             "': it takes spheres alone; leave the shapes out");
     if (consumer == Consumer::kBullet && options.uri == UriStyle::kFile)
-      throw Error(ErrorCode::kBadOption, "--for bullet does not go with --uri file: its importer does not know file://; leave --uri out");
+      throw Error(ErrorCode::kBadOption, "--for bullet does not go with uri 'file': its importer does not know file://; leave it out");
   }
 }
 

@@ -185,7 +185,7 @@ void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::ve
   const std::vector<std::string> links = model.linksWithOtherMeshes();
   if (links.empty()) return;
   notes.push_back("--for " + consumer + ": " + someHave(links) +
-                  " a mesh that is no hull of this output; the file leaves it out, so that collisions with it are missed. Decompose it "
+                  " a mesh that is not a hull of this output; the file leaves it out, so that collisions with it are missed. Decompose it "
                   "as well (its action is decompose, and --links, if given, matches it)");
 }
 

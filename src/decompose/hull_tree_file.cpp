@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -111,7 +112,8 @@ HullTree decodeHullTree(const std::string& bytes, const std::string& name) try {
 
 void saveHullTree(const HullTree& tree, const std::string& file) {
   const std::string bytes = encodeHullTree(tree);
-  const std::string temporary = file + ".part-" + std::to_string(getpid());
+  static std::atomic<unsigned> made{0};  // files of this process: threads may save to the same one
+  const std::string temporary = file + ".part-" + std::to_string(getpid()) + "-" + std::to_string(made++);
   std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();

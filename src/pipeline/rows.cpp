@@ -84,6 +84,8 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh) {
   row.padding = use.options.padding;
   row.close_openings = use.options.close_openings;
   row.shapes = use.options.shapes;
+  row.effort = use.options.effort;
+  row.max_vertices = use.options.max_vertices;
   row.status = mesh.status;
   row.reason = mesh.reason;
   row.error = mesh.error;
@@ -237,17 +239,15 @@ void noteLooseParts(Report& report) {
 
 /// A round body that one hull would do for takes several where each may have few vertices.
 void noteVertexLimit(Report& report) {
-  const Options& options = report.options;
-  if (options.max_vertices == 0 || options.effort == Effort::kInstant) return;
-  const auto is_limited = [&](const ElementReport& row) {
-    const double most = static_cast<double>(options.max_vertices) * static_cast<double>(row.hulls);
-    return followsTolerance(row) && row.padding == 0 && row.untried.empty() && row.hulls >= kSeveral && row.least_hulls == 1 &&
-           static_cast<double>(row.hull_vertices) >= kNearlyAll * most;
+  const auto is_limited = [](const ElementReport& row) {
+    const double most = static_cast<double>(row.max_vertices) * static_cast<double>(row.hulls);
+    return followsTolerance(row) && row.max_vertices > 0 && row.effort != Effort::kInstant && row.padding == 0 && row.untried.empty() &&
+           row.hulls >= kSeveral && row.least_hulls == 1 && static_cast<double>(row.hull_vertices) >= kNearlyAll * most;
   };
   const auto [first, others] = firstAndOthers(report, is_limited);
   if (!first) return;
   report.notes.push_back("'" + first->uri + "' took " + counted(first->hulls, "hull") +
-                         " with nearly as many vertices each as they may have (" + std::to_string(options.max_vertices) + ")" +
+                         " with nearly as many vertices each as they may have (" + std::to_string(first->max_vertices) + ")" +
                          likeIt(others) + ": with more, as in --max-vertices 256, or without a limit (0), far fewer may do");
 }
 

@@ -57,11 +57,12 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   MeshResults results;
   withJobs(options.jobs, [&] {
     Progress progress(input.control, input.step, decomposedUses(input.uses));
+    TimeBudget time(options.time_limit);
     MeshTasks found = meshTasks(input.uses, input.resolve, meshLimits(options), input.control);
     progress.begin("decompose", input.meshes_end, expectedCosts(found.tasks));
     for (std::size_t i = 0; i < input.uses.size(); ++i)
       if (found.done[i] && found.done[i]->status == Status::kFailed) progress.finishElement(input.uses[i].link, 0);
-    TimeBudget time(options.time_limit, expectedCosts(found.tasks), mostThreads());
+    time.share(expectedCosts(found.tasks), mostThreads());
     Run run{options, input.uses, found.tasks, cache, progress, time, std::move(found.done), result.report};
     stages(run);
     progress.end();

@@ -24,14 +24,16 @@ struct Stopped {
 };
 
 TEST(TimeBudget, WithoutALimitThereIsNoDeadline) {
-  TimeBudget budget(0, {1, 1}, 2);
+  TimeBudget budget(0);
+  budget.share({1, 1}, 2);
   EXPECT_EQ(budget.begin(0), RunControl::Time::max());
   EXPECT_EQ(budget.begin(1), RunControl::Time::max());
 }
 
 TEST(TimeBudget, TasksShareTheTimeByTheirCosts) {
   Stopped time;
-  TimeBudget budget(10, {6, 3, 1}, 1, time.clock());
+  TimeBudget budget(10, time.clock());
+  budget.share({6, 3, 1}, 1);
   EXPECT_NEAR(time.until(budget.begin(0)), 6, 1e-9);
   time.pass(6);
   budget.finish(0);
@@ -41,9 +43,18 @@ TEST(TimeBudget, TasksShareTheTimeByTheirCosts) {
   EXPECT_NEAR(time.until(budget.begin(2)), 1, 1e-9);
 }
 
+TEST(TimeBudget, WhatPassesBeforeTheTasksAreKnownCounts) {
+  Stopped time;
+  TimeBudget budget(10, time.clock());
+  time.pass(4);
+  budget.share({1, 1}, 1);
+  EXPECT_NEAR(time.until(budget.begin(0)), 3, 1e-9);
+}
+
 TEST(TimeBudget, ThreadsAddUpAndWhatRunsIsPromised) {
   Stopped time;
-  TimeBudget budget(4, {1, 1, 1, 1}, 2, time.clock());
+  TimeBudget budget(4, time.clock());
+  budget.share({1, 1, 1, 1}, 2);
   EXPECT_NEAR(time.until(budget.begin(0)), 2, 1e-9);
   EXPECT_NEAR(time.until(budget.begin(1)), 2, 1e-9);
   time.pass(2);
@@ -53,14 +64,16 @@ TEST(TimeBudget, ThreadsAddUpAndWhatRunsIsPromised) {
 
 TEST(TimeBudget, WhatATaskSavesTheOthersHave) {
   Stopped time;
-  TimeBudget budget(10, {5, 5}, 1, time.clock());
+  TimeBudget budget(10, time.clock());
+  budget.share({5, 5}, 1);
   time.spend(1, 0, budget);
   EXPECT_NEAR(time.until(budget.begin(1)), 9, 1e-9);
 }
 
 TEST(TimeBudget, TasksThatNeedMoreShareTheRestByWhatTheyHad) {
   Stopped time;
-  TimeBudget budget(20, {1, 2, 7}, 1, time.clock());
+  TimeBudget budget(20, time.clock());
+  budget.share({1, 2, 7}, 1);
   time.spend(2, 0, budget);
   time.spend(4, 1, budget);
   time.spend(1, 2, budget);  // of 14
@@ -73,13 +86,17 @@ TEST(TimeBudget, TasksThatNeedMoreShareTheRestByWhatTheyHad) {
 
 TEST(TimeBudget, NobodyBeginsAgainForHardlyMore) {
   Stopped time;
-  TimeBudget budget(10, {4, 6}, 1, time.clock());
+  TimeBudget budget(10, time.clock());
+  budget.share({4, 6}, 1);
   time.spend(4, 0, budget);
   time.spend(0.1, 1, budget);
   EXPECT_EQ(budget.again({0}), std::vector<std::size_t>()) << "5.9 s for 4 s";
   EXPECT_EQ(budget.again({}), std::vector<std::size_t>());
-  EXPECT_EQ(TimeBudget(0, {1}, 1).again({0}), std::vector<std::size_t>()) << "no limit cuts anything";
-  TimeBudget two(16, {1, 1, 2}, 1, time.clock());
+  TimeBudget unlimited(0);
+  unlimited.share({1}, 1);
+  EXPECT_EQ(unlimited.again({0}), std::vector<std::size_t>()) << "no limit cuts anything";
+  TimeBudget two(16, time.clock());
+  two.share({1, 1, 2}, 1);
   time.spend(4, 0, two);
   time.spend(4, 1, two);
   time.spend(1, 2, two);
@@ -88,7 +105,8 @@ TEST(TimeBudget, NobodyBeginsAgainForHardlyMore) {
   two.finish(0);
   EXPECT_EQ(two.again({0}), std::vector<std::size_t>()) << "it did not begin";
   time.pass(20);
-  TimeBudget over(1e-9, {1}, 1, time.clock());
+  TimeBudget over(1e-9, time.clock());
+  over.share({1}, 1);
   time.pass(1);
   time.spend(0, 0, over);
   EXPECT_EQ(over.again({0}), std::vector<std::size_t>()) << "nothing is more than nothing";
@@ -96,20 +114,23 @@ TEST(TimeBudget, NobodyBeginsAgainForHardlyMore) {
 
 TEST(TimeBudget, ATaskThatNeverBeganCostsNothing) {
   Stopped time;
-  TimeBudget budget(10, {5, 5}, 1, time.clock());
+  TimeBudget budget(10, time.clock());
+  budget.share({5, 5}, 1);
   budget.finish(0);
   EXPECT_NEAR(time.until(budget.begin(1)), 10, 1e-9);
 }
 
 TEST(TimeBudget, NobodyGetsMoreThanTheTimeLeft) {
   Stopped time;
-  TimeBudget budget(10, {5}, 8, time.clock());
+  TimeBudget budget(10, time.clock());
+  budget.share({5}, 8);
   EXPECT_NEAR(time.until(budget.begin(0)), 10, 1e-9);
 }
 
 TEST(TimeBudget, AfterTheEndDeadlinesHavePassed) {
   Stopped time;
-  TimeBudget budget(10, {5, 5}, 1, time.clock());
+  TimeBudget budget(10, time.clock());
+  budget.share({5, 5}, 1);
   budget.begin(0);
   time.pass(20);
   EXPECT_NEAR(time.until(budget.begin(1)), 0, 1e-9);
@@ -117,7 +138,8 @@ TEST(TimeBudget, AfterTheEndDeadlinesHavePassed) {
 
 TEST(TimeBudget, BeginningAgainChangesNothing) {
   Stopped time;
-  TimeBudget budget(10, {5, 5}, 1, time.clock());
+  TimeBudget budget(10, time.clock());
+  budget.share({5, 5}, 1);
   const RunControl::Time first = budget.begin(0);
   time.pass(1);
   EXPECT_EQ(budget.begin(0), first);

@@ -46,6 +46,24 @@ TEST_F(Consumers, EachIsToldWhichFileToLoad) {
   EXPECT_EQ(howToLoad({}, result, out), "");
 }
 
+TEST_F(Consumers, AModelWhoseDescriptionWouldReplaceAConsumersIsRefused) {
+  for (const Consumer consumer : {Consumer::kDrake, Consumer::kTesseract}) {
+    Options options;
+    options.format = MeshFormat::kObj;
+    options.models = {{name(consumer), {}}, {"fine", {}}};
+    EXPECT_NO_THROW(check({consumer}, options)) << "the first model has the robot's own name";
+    std::swap(options.models[0], options.models[1]);
+    EXPECT_NO_THROW(check({Consumer::kMoveit}, options));
+    try {
+      check({consumer}, options);
+      ADD_FAILURE() << name(consumer);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::kBadOption);
+      EXPECT_NE(std::string(e.what()).find("give the model another"), std::string::npos) << e.what();
+    }
+  }
+}
+
 TEST_F(Consumers, AFormatThatAConsumerCannotReadIsRefusedWithARemedy) {
   Options options;
   EXPECT_NO_THROW(check({Consumer::kMoveit, Consumer::kGazebo, Consumer::kMujoco}, options));
@@ -54,7 +72,7 @@ TEST_F(Consumers, AFormatThatAConsumerCannotReadIsRefusedWithARemedy) {
     FAIL() << "Drake reads no STL";
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::kBadOption);
-    EXPECT_NE(std::string(e.what()).find("leave --format out"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("leave the format out"), std::string::npos) << e.what();
   }
   options.format = MeshFormat::kDae;
   EXPECT_THROW(check({Consumer::kMujoco}, options), Error);

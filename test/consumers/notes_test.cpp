@@ -30,7 +30,8 @@ TEST_F(ConsumerNotes, SayWhatTheyLeaveOut) {
   options_.links = "[ac]";
   const std::string urdf = threeLinks(cube());
   for (const Consumer consumer : {Consumer::kMujoco, Consumer::kIsaac})
-    for (const char* part : {"link 'b' has a mesh that is no hull of this output; the file leaves it out", "(its action is decompose, and"})
+    for (const char* part :
+         {"link 'b' has a mesh that is not a hull of this output; the file leaves it out", "(its action is decompose, and"})
       EXPECT_NE(notesOf(consumer, urdf).find(part), std::string::npos) << notesOf(consumer, urdf);
   for (const Consumer consumer : {Consumer::kGazebo, Consumer::kDart})
     EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos) << "it has the mesh";

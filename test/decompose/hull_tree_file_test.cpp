@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <thread>
 
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
@@ -141,6 +142,17 @@ TEST_F(HullTreeFile, UnwritablePath) {
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::kUnwritableOutput) << e.what();
   }
+}
+
+TEST_F(HullTreeFile, ThreadsMaySaveToOneFile) {
+  const HullTree tree = randomTree(5, 1);
+  const auto save = [&] {
+    for (int i = 0; i < 100; ++i) EXPECT_NO_THROW(saveHullTree(tree, file()));
+  };
+  std::thread other(save);
+  save();
+  other.join();
+  EXPECT_EQ(encodeHullTree(loadHullTree(file())), encodeHullTree(tree));
 }
 
 TEST_F(HullTreeFile, IsReadBackToTheLastBit) {

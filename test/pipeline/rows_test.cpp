@@ -182,13 +182,15 @@ TEST(PutTogether, NothingIsKnownOfTheSizeOfKeptMeshes) {
 }
 
 TEST(PutTogether, NotesMeshesThatTheLimitOnVerticesDivides) {
-  const auto notes = [](std::size_t hulls, std::size_t vertices, std::size_t least, int limit = 64) {
+  MeshUse limited = use("a");
+  const auto notes = [&](std::size_t hulls, std::size_t vertices, std::size_t least, int limit = 64) {
     MeshResult mesh = boxes(hulls);
     mesh.model.hull_vertices = vertices;
     mesh.model.least_hulls = least;
+    limited.options.max_vertices = limit;
     RobotResult result;
-    result.report.options.max_vertices = limit;
-    putTogether({use("a")}, {shared(mesh)}, result);
+    result.report.options.max_vertices = 8;  // of other links
+    putTogether({limited}, {shared(mesh)}, result);
     return result.report.notes;
   };
   EXPECT_EQ(notes(4, 248, 1), std::vector<std::string>{"'a.stl' took 4 hulls with nearly as many vertices each as they may have (64): with "
@@ -197,6 +199,8 @@ TEST(PutTogether, NotesMeshesThatTheLimitOnVerticesDivides) {
   EXPECT_TRUE(notes(4, 248, 2).empty()) << "one would not do";
   EXPECT_TRUE(notes(3, 192, 1).empty()) << "there is little to gain";
   EXPECT_TRUE(notes(4, 248, 1, 0).empty()) << "there is no limit";
+  limited.options.effort = Effort::kInstant;
+  EXPECT_TRUE(notes(4, 248, 1).empty()) << "nobody looked for few hulls";
 }
 
 TEST(PutTogether, NotesMeshesOfManyLooseParts) {

@@ -18,7 +18,7 @@ class ForOption : public ProgramTest {
 
 TEST_F(ForOption, WrongUse) {
   expectWrongUse("r.urdf --for moveit3", {"--for", "'moveit3'", "moveit, gazebo, mujoco, drake, isaac"});
-  expectWrongUse("r.urdf --for drake --format stl", {"--for drake", "--format stl", "leave --format out"});
+  expectWrongUse("r.urdf --for drake --format stl", {"--for drake", "format 'stl'", "leave the format out"});
   expectWrongUse("cube.obj --for gazebo", {"--for gazebo", "is a mesh"});
 }
 

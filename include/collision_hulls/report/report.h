@@ -80,6 +80,8 @@ struct ElementReport : MeshFacts, HullFacts {
   Method method = Method::kCertified;
   double padding = 0, close_openings = 0;  ///< [m]
   Shapes shapes = Shapes::kHulls;
+  Effort effort = Effort::kQuick;
+  int max_vertices = 64;              ///< that a hull might have; 0: no limit
   std::vector<Region> regions_given;  ///< of the mesh, in its frame
   /// A mesh that several links use is worked on once: the first row has the time, the others have
   /// 0.

@@ -240,6 +240,7 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
   return {vector / length, error};
 }
 
+/// For lemma 5 of doc/certified.md.
 bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
   if (clusters_.empty()) return empty();
   std::array<Spread, kMostCones> cones;

@@ -19,7 +19,8 @@ class FlatSheets {
   FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided, const RunControl& control);
 
   /// [m] An upper bound on the distance of a patch's points from the surface: the patch's height above one group, plus `slack` [m];
-  /// infinite if the patch sticks out sideways by more than the slack. `near`: the point of the surface nearest to a point of the patch.
+  /// infinite if the patch sticks out sideways by more than the slack (lemma 8 of doc/certified.md). `near`: the point of the surface
+  /// nearest to a point of the patch.
   double bound(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const;
 
  private:

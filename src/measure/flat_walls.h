@@ -20,8 +20,9 @@ struct AmongFlatWalls {
       std::numeric_limits<double>::infinity();  ///< of a local maximum whose distance, as a radius, leads nowhere out of the ball
 };
 
-/// Looks at the ball of this radius [m] about p. `closed` is a closed surface, `surface` all surface. Where these lie in three planes at
-/// most in the ball, and nothing is outside but on one side of one of them, the bounds are a few millionths of the extent at most.
+/// Looks at the ball of this radius [m] about p (lemma 11 of doc/certified.md). `closed` is a closed surface, `surface` all surface. Where
+/// these lie in three planes at most in the ball, and nothing is outside but on one side of one of them, the bounds are a few millionths of
+/// the extent at most.
 AmongFlatWalls amongFlatWalls(const TriangleBvh& closed, const TriangleBvh& surface, const Eigen::Vector3d& p, double radius);
 
 }  // namespace collision_hulls

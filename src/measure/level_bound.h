@@ -10,7 +10,8 @@
 
 namespace collision_hulls {
 
-/// The distance f to the surface is at most the distance d_j to any of its triangles, so f <= min_j d_j <= sum_j w_j d_j for any weights w
+/// Lemma 3 of doc/certified.md. The distance f to the surface is at most the distance d_j to any of its triangles, so f <= min_j d_j <=
+/// sum_j w_j d_j for any weights w
 /// >= 0 that sum to 1. That sum is convex: its maximum over a polytope is at a corner. One triangle gives a good bound beside a wall, two
 /// do so midway between walls. The best weights are those of a small matrix game, corner against triangle.
 template <std::size_t Corners, std::size_t MostTriangles>

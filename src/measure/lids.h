@@ -20,7 +20,7 @@ struct Lids {
   double crack_width = 0;  // [m] of the widest crack
 };
 
-/// `rim`: that of the mesh.
+/// `rim`: that of the mesh. Cracks: lemma 7 of doc/certified.md.
 Lids lidsOf(const TriangleMesh& mesh, const Rim& rim, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -161,7 +161,7 @@ void OutsideDistance::measure(int id, int parent_id) {
     cell.distance = solid_.signedDistance(p, n.distance);
 }
 
-/// An upper bound over a cell on the distance to S as a set; infinite if the cell was not measured yet.
+/// An upper bound over a cell on the distance to S as a set (lemma 1 of doc/certified.md); infinite if the cell was not measured yet.
 double OutsideDistance::knownBound(int id) const {
   const Cell& cell = at(id);
   return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : std::min(cell.distance + radius(id), cell.level);

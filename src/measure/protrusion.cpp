@@ -49,9 +49,9 @@ double depthBelow(const HalfSpace& face, const Eigen::Vector3d& p) {
 /// [m] An upper bound on the distance to S of all points of a hull that the surface leaves free, and whose middle lies in S; infinite for
 /// other hulls, and if it is more than `most`.
 ///
-/// Why: let no triangle reach deeper than e into the hull, and the middle c be deeper, by r. All that is as deep as e is convex, and free
-/// of surface but for its border, so it lies in S, as c does. A vertex comes there straight from its faces, or by e / r of its way to c;
-/// any other point of the hull, a mean of vertices, by the mean of their ways.
+/// Why (lemma 10 of doc/certified.md): let no triangle reach deeper than e into the hull, and the middle c be deeper, by r. All that is as
+/// deep as e is convex, and free of surface but for its border, so it lies in S, as c does. A vertex comes there straight from its faces,
+/// or by e / r of its way to c; any other point of the hull, a mean of vertices, by the mean of their ways.
 double boundInFreeHull(const ConvexHull& hull, const Solid& solid, double most, const RunControl& control) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   if (solid.hasOpenings() || solid.sideError() > 0) return kNone;  // S may end where there is no surface
@@ -81,8 +81,8 @@ double boundInFreeHull(const ConvexHull& hull, const Solid& solid, double most, 
   return longest;
 }
 
-/// Searches hulls for summits. Many are searched in parallel, in halves that lie side by side; the halves do not depend on the number of
-/// threads, and so neither does the result.
+/// Searches hulls for summits (lemma 4 of doc/certified.md). Many are searched in parallel, in halves that lie side by side; the halves do
+/// not depend on the number of threads, and so neither does the result.
 class Summits {
  public:
   /// `on_surface`: per hull, the result of searching its surface.

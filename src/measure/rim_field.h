@@ -10,7 +10,7 @@
 
 namespace collision_hulls {
 
-/// A tree over the edges of a rim. It holds no reference to the mesh.
+/// A tree over the edges of a rim, for lemma 6 of doc/certified.md. It holds no reference to the mesh.
 class RimField {
  public:
   RimField(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim, const RunControl& control);

@@ -76,8 +76,9 @@ struct Walls {
 
   bool hasOpenings() const { return !lids.empty(); }
 
-  /// [m] How far cracks can mislead. A lid's points lie within a width of the segment along which the loop runs there and back, and so does
-  /// some point of the loop beside each point of the segment: no point of a lid is further from the surface than two widths.
+  /// [m] How far cracks can mislead (lemma 7 of doc/certified.md). A lid's points lie within a width of the segment along which the loop
+  /// runs there and back, and so does some point of the loop beside each point of the segment: no point of a lid is further from the
+  /// surface than two widths.
   double crackSlack() const { return 2 * crack_width; }
 
   /// [m] How far away the nearest wall or lid is, for a point inside. Sheets that are nearer lie inside, too.
@@ -104,7 +105,7 @@ struct Walls {
     }
 
     /// A lower bound on the length of any path from p to where isInside() changes that does not cross the surface; if it is more than
-    /// `enough`, it need not be close.
+    /// `enough`, it need not be close. Lemma 6 of doc/certified.md.
     double wayToBorder(double enough) {
       double way = 0;
       for (std::size_t i = 0; i < kRough.size() && way <= enough; ++i) way = std::max(way, wayTo(margin(i) - kReserve));
@@ -284,6 +285,7 @@ bool Solid::isFurther(double distance, const Eigen::Vector3d& p, double to_surfa
 bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p, distance).triangle >= 0 || contains(p);
 }
+/// Lemma 2 of doc/certified.md.
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
   if (to_surface <= walls.blur) return to_surface;
@@ -313,6 +315,7 @@ bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, const std::ar
   return radius < Walls::Winding(walls, centre).wayToBorder(radius);
 }
 
+/// Lemma 1 of doc/certified.md.
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {
   const double bound = std::max(0.0, signed_distance + radius);
   return std::signbit(signed_distance) && bound > 0 && hasOpenings() ? to_surface + radius : bound;  // the ball may be a point: -0

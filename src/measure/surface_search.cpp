@@ -148,7 +148,7 @@ class Search {
   }
 
   /// Whether every point of the patch about c has a point of the solid within farthest(), because all of the patch is inside once it is
-  /// moved there.
+  /// moved there. Lemma 9 of doc/certified.md.
   bool goesInside(Patch& patch, const Eigen::Vector3d& c, double radius, double outside, const TriangleBvh::Nearest& nearest) const {
     if (outside < 0 && isInside(patch, c, radius, Eigen::Vector3d::Zero())) return true;
     const double above = std::max(outside, 0.0);

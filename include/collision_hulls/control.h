@@ -22,8 +22,8 @@ namespace collision_hulls {
 struct RunControl {
   /// Called with the share of the work done so far, in [0, 1]; never decreases. May be empty.
   std::function<void(double fraction)> progress;
-  /// Polled by every check(); true ends the run as cancel() does. For callers whom nobody tells to
-  /// stop, but who can find out. Called from any thread, from several at once. May be empty.
+  /// Polled by every check(); true ends the run as cancel() does. For callers that have to poll for
+  /// cancellation. Called from any thread, from several at once. May be empty.
   std::function<bool()> ends;
   /// The run that this one is part of: cancelling it cancels this one too. Null at the top level.
   const RunControl* whole = nullptr;

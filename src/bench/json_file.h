@@ -8,7 +8,7 @@
 
 namespace collision_hulls {
 
-/// Throws Error for a file that cannot be read, and json::exception for one that is no JSON.
+/// Throws Error for a file that cannot be read, and json::exception for one that is not JSON.
 inline nlohmann::json readJson(const std::string& file) {
   return nlohmann::json::parse(readTextFile(file, ".json file"));
 }

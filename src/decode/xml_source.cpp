@@ -58,7 +58,8 @@ void loadRoot(XmlSource& source, tinyxml2::XMLDocument& document) {
   source.root_line = lineOf(source.text, outline.elements.front().begin);
   const std::string root = readableRoot(source, outline);
   document.Parse(root.data(), root.size());
-  if (!document.Error() && !document.RootElement()) source.fail(ErrorCode::kNotXml, "an element's name is no name; correct it");
+  if (!document.Error() && !document.RootElement())
+    source.fail(ErrorCode::kNotXml, "the name of an element is not allowed in XML; correct it");
   if (!document.Error()) return;
   const std::size_t line = source.lineFromRoot(document.ErrorLineNum());
   if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {

@@ -36,8 +36,9 @@ std::string pathOf(const std::string& uri, const std::string& mesh) {
   checkCharacters(uri);
   const std::string name = percentDecoded(uri), path = (fs::path(mesh).parent_path() / fs::path(name).lexically_normal()).string();
   if (name.empty() || hasScheme(uri) || leadsOut(name))
-    throw Error(ErrorCode::kOutsideRoots,
-                "'" + shown(uri) + "' is no file in the mesh's folder; put the file there and name it relative to the mesh, or " + kRemedy);
+    throw Error(
+        ErrorCode::kOutsideRoots,
+        "'" + shown(uri) + "' is not a file in the mesh's folder; put the file there and name it relative to the mesh, or " + kRemedy);
   return path;
 }
 
@@ -93,7 +94,7 @@ std::string readMeshBytes(const std::string& path, const MeshLimits& limits, con
   std::string bytes = readFile(path, "mesh", limits.max_bytes, control);
   const std::string extension = lowerExtension(path);
   if (extension != ".gltf" && extension != ".glb") return bytes;
-  if (isPackedGltf(bytes)) failNotAMesh(path, "is no glTF");
+  if (isPackedGltf(bytes)) failNotAMesh(path, "is not a glTF file");
   if (extension == ".glb" || isGltfContainer(bytes)) return bytes;
 
   const std::vector<BufferFile> buffers = askForBufferFiles(bytes, path, limits, control);

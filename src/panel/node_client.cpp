@@ -305,7 +305,7 @@ void NodeClient::setNode(const QString& name) {
   std::string error;
   const std::string text = name.trimmed().toStdString();
   if (text.empty() || !ros::names::validate(text, error)) {
-    Q_EMIT connected(false, "'" + name + "' is no name of a node: enter one such as collision_hulls or /left/collision_hulls.");
+    Q_EMIT connected(false, "'" + name + "' is not the name of a node: enter one such as collision_hulls or /left/collision_hulls.");
     return;
   }
   session_ = std::make_unique<Session>(*this, text);

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "panel/hulls_panel.h"
 
 namespace collision_hulls {
@@ -31,8 +32,13 @@ constexpr double kNearest = 0.3, kFurthest = 3;  // [m] and its limits
 constexpr int kMostRefusals = 10, kRetry = 300;  // [ms]
 constexpr double kClearance = 0.01;              // [m] from a scene, if nobody changes it
 constexpr const char* kFilter = "Configurations (*.yaml *.yml);;All files (*)";
-constexpr const char* kScenes =
-    "Scenes (*.scene *.urdf *.sdf *.world *.yaml *.yml *.bt *.ot *.stl *.obj *.dae *.off *.ply *.glb *.gltf);;All files (*)";
+
+/// What scenes are read from.
+QString sceneFilter() {
+  std::string filter = "Scenes (*.scene *.urdf *.sdf *.world *.yaml *.yml *.bt *.ot";
+  for (const std::string& extension : meshExtensions()) filter += " *" + extension;
+  return QString::fromStdString(filter + ");;All files (*)");
+}
 
 }  // namespace
 
@@ -165,7 +171,7 @@ void HullsPanel::validate() {
 }
 
 void HullsPanel::fit() {
-  const QString file = QFileDialog::getOpenFileName(this, "Scene", scene_, kScenes);
+  const QString file = QFileDialog::getOpenFileName(this, "Scene", scene_, sceneFilter());
   if (file.isEmpty()) return;
   bool is_given = false;
   const double clearance = QInputDialog::getDouble(this, "Fit to scene", "The model is free wherever the robot keeps this distance [mm]",

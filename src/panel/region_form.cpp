@@ -25,7 +25,7 @@ QString vectorText(const Eigen::Vector3d& v) {
 double numberIn(const QString& text, const std::string& what) {
   double number = 0;
   const std::string word = text.trimmed().toStdString();
-  if (!parseFinite(word, number)) throw Error(ErrorCode::kBadOption, "'" + word + "' is no number: enter " + what);
+  if (!parseFinite(word, number)) throw Error(ErrorCode::kBadOption, "'" + word + "' is not a number: enter " + what);
   return number;
 }
 

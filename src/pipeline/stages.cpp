@@ -62,14 +62,14 @@ double toleranceFor(const TriangleMesh& mesh, const Length& tolerance) {
   const double metres = tolerance.metres(diagonal(mesh));
   if (metres > 0) return metres;
   throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
-                                         " triangles lie in one point, so a percentage of the mesh's size is no tolerance for it; give "
+                                         " triangles lie in one point, so a percentage of the mesh's size is a tolerance of 0; give "
                                          "only a length, such as 1mm, or repair the mesh");
 }
 
 void setTolerance(const MeshTask& task, const LinkOptions& options, MeshResult& result) {
   const std::string name = "'" + task.uri + "'", scale = scaleText(task.scale);
   if (!std::isfinite(result.mesh.diagonal))
-    throw Error(ErrorCode::kTooLarge, name + " is so large that its size is no number, with the scale '" + scale +
+    throw Error(ErrorCode::kTooLarge, name + " is so large that its size overflows, with the scale '" + scale +
                                           "'; correct the scale, or the file's coordinates");
   constexpr double kMillimetre = 0.001;
   const std::string instead = task.scale == Eigen::Vector3d::Ones() ? "" : " in place of '" + scale + "'";

@@ -29,7 +29,7 @@ void checkSize(const std::string& mesh, double diagonal, const Length& tolerance
 double toleranceFor(const TriangleMesh& mesh, const Length& tolerance);
 
 /// The tolerance of a task's mesh whose original is known. Throws what checkSize() throws, and kTooLarge for a mesh whose size overflows;
-/// kEmptyMesh and kBadOption for a tolerance that is none for it.
+/// kEmptyMesh and kBadOption for a tolerance that does not suit it.
 void setTolerance(const MeshTask& task, const LinkOptions& options, MeshResult& result);
 
 /// A mesh after stages 1 and 2, for the stages that follow.

@@ -15,7 +15,7 @@ json toJson(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// The names and values of the command line.
+/// The values as the command line has them, most under its names.
 json toJson(const Options& options) {
   return {{"tolerance", toString(options.tolerance)},
           {"method", name(options.method)},

@@ -90,7 +90,7 @@ void expectRange(const JointDescription& joint, const Drive& drive, const JointV
   const bool slides = joint.kind == Kind::kPrismatic;
   if (std::isfinite(last - first) && (!slides || std::max(std::abs(first), std::abs(last)) <= kFurthestOrigin)) return;
   throw Error(ErrorCode::kNotARobot, "joint '" + joint.name + "' follows '" + master.name + "' from " + decimal(first) + " to " +
-                                         decimal(last) + (slides ? " m, more than 1000 km away" : " rad, which is no range") +
+                                         decimal(last) + (slides ? " m, more than 1000 km away" : " rad, which is not a range") +
                                          "; correct the numbers of its <mimic>");
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 volatile sig_atomic_t interrupted = 0;
 
-/// The first signal ends the node in order, a second one as ever.
+/// The first signal shuts the node down cleanly, a second one kills it.
 void handleSignals() {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };

@@ -36,7 +36,7 @@ std::string textParameter(const ros::NodeHandle& node, const std::string& name, 
 /// Sets `value` to a parameter; leaves it if that is not set. Throws kBadOption if it is neither true nor false.
 void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value);
 
-/// A number; `fallback` if the parameter is not set. Throws kBadOption if it is no number.
+/// A number; `fallback` if the parameter is not set. Throws kBadOption if it is not a number.
 double numberParameter(const ros::NodeHandle& node, const std::string& name, double fallback);
 
 /// Logs a warning for each parameter in the node's name space that it does not read and whose name is nearly that of one which it reads.

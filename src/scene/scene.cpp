@@ -150,7 +150,7 @@ Scene readScene(const std::string& file, const PackageFinder& find_package, cons
   if (!scene) {
     throw Error(ErrorCode::kUnsupportedFormat,
                 "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +
-                    "(OctoMap), and mesh files (.stl .dae .obj .off .ply .glb .gltf)");
+                    "(OctoMap), and mesh files (" + listed(meshExtensions(), " ") + ")");
   }
   if (scene->name.empty()) scene->name = std::filesystem::path(file).stem().string();
   inContext("'" + file + "'", [&] { checkName(scene->name, "the scene"); });

@@ -1,4 +1,6 @@
 // decompose INPUT: the meshes of a robot, or one mesh, to convex hulls in a package of their own.
+#include "base/string_parts.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "robot_program.h"
 
 namespace collision_hulls {
@@ -9,7 +11,7 @@ Exit status: 0 all meshes done; 1 some failed (each is named, and all others are
 written, unless at least as many links have only primitives as have meshes);
 2 usage error, unreadable input, a single mesh that failed, unwritable output, or a report that could not be printed or
 saved (--json); 130 interrupted.
-"degraded" is no failure: the hulls cover the mesh, but protrude further than the tolerance.
+"degraded" is not a failure: the hulls cover the mesh, but protrude further than the tolerance.
 
 Examples:
   decompose pr2_description -t 5mm -o pr2_collision
@@ -25,7 +27,7 @@ int main(int argc, char** argv) {
   CommandLine app("Decomposes the meshes of a robot into convex hulls that cover them, and writes them with a description that uses them.",
                   command.program);
   app.footer(kFooter);
-  addRobotOptions(app, "A ROS package, a .urdf or .xacro file, or one mesh (.stl .dae .obj .off .ply .glb .gltf)", command);
+  addRobotOptions(app, "A ROS package, a .urdf or .xacro file, or one mesh (" + listed(meshExtensions(), " ") + ")", command);
   addModelOption(app, command);
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
     return decompose(input, command.options, output, control, step);

@@ -185,7 +185,7 @@ inline void checkSuits(const Input& input, const RobotCommand& command) {
                                            "' is a mesh, and only a robot's description has a form for it; leave the option out");
   if (!options.package_name.empty())
     throw Error(ErrorCode::kBadOption, "package-name '" + options.package_name + "': '" + input.path +
-                                           "' is a mesh, and its output is no package; leave the option out");
+                                           "' is a mesh, and its output is not a package; leave the option out");
 }
 
 /// A first sign of life: xacro alone may take seconds.

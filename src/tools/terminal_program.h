@@ -21,7 +21,7 @@ enum ExitStatus { kDone = 0, kSomeFailed = 1, kWrongUse = 2, kInterrupted = 130 
 
 inline const RunControl* interrupted_run = nullptr;
 
-/// The first signal stops the run in order, a second one as ever.
+/// The first signal ends the run cleanly, a second one kills it.
 inline void cancelOnSignals(const RunControl& control) {
   interrupted_run = &control;
   struct sigaction action {};

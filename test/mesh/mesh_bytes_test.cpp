@@ -148,7 +148,8 @@ TEST_F(MeshBytes, AContainerHoldsItsBuffers) {
     EXPECT_NE(refusalOf(write(name, glb(text, kPoints)), ErrorCode::kNotAMesh).find("buffers[0] is in another file, 'part.bin'; export"),
               std::string::npos);
   for (const char* name : {"b.glb", "b.gltf"})
-    EXPECT_NE(refusalOf(write(name, packedGltf(text, {kPoints})), ErrorCode::kNotAMesh).find("is no glTF"), std::string::npos) << name;
+    EXPECT_NE(refusalOf(write(name, packedGltf(text, {kPoints})), ErrorCode::kNotAMesh).find("is not a glTF file"), std::string::npos)
+        << name;
 }
 
 TEST_F(MeshBytes, NamesThatLeadOutOfTheFolder) {
@@ -159,7 +160,8 @@ TEST_F(MeshBytes, NamesThatLeadOutOfTheFolder) {
         path("part.bin"), path("mesh/sub/part.bin"), "file://" + path("mesh/sub/part.bin"), std::string("http://host/part.bin"),
         std::string("//host/part.bin"), std::string("c:part.bin"), std::string()}) {
     const std::string message = refusal(uri, ErrorCode::kOutsideRoots);
-    EXPECT_EQ(message.rfind(path("mesh/a.gltf") + ": buffers[0]: '" + uri + "' is no file in the mesh's folder; put the file there", 0), 0u)
+    EXPECT_EQ(message.rfind(path("mesh/a.gltf") + ": buffers[0]: '" + uri + "' is not a file in the mesh's folder; put the file there", 0),
+              0u)
         << message;
     EXPECT_NE(message.find("or export the mesh as .glb"), std::string::npos) << message;
   }

@@ -286,11 +286,12 @@ TEST(Kinematics, MimicsBeyondAllMeasure) {
               load("prismatic", "multiplier='1e307'"));
   expectError(ErrorCode::kNotARobot, {"'j1'", "1000 km", "<mimic>"}, load("prismatic", "multiplier='1e6'"));
   EXPECT_NO_THROW(load("prismatic", "multiplier='4e5'")());
-  expectError(ErrorCode::kNotARobot, {"'j1' follows 'j0'", "rad, which is no range", "<mimic>"}, load("revolute", "multiplier='1.5e308'"));
+  expectError(ErrorCode::kNotARobot, {"'j1' follows 'j0'", "rad, which is not a range", "<mimic>"},
+              load("revolute", "multiplier='1.5e308'"));
   std::string chain = links(101) + joint(0, "revolute", limit(-1, 1));
   for (int i = 1; i < 100; ++i)
     chain += joint(i, "revolute", limit(-1, 1) + "<mimic joint=\"j" + std::to_string(i - 1) + "\" multiplier=\"1e9\"/>");
-  expectError(ErrorCode::kNotARobot, {"which is no range", "<mimic>"}, [&] { Kinematics{robot(chain)}; });
+  expectError(ErrorCode::kNotARobot, {"which is not a range", "<mimic>"}, [&] { Kinematics{robot(chain)}; });
 }
 
 TEST(Kinematics, ManyFloatingJointsAboveManyLinks) {

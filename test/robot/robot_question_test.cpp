@@ -66,7 +66,7 @@ TEST(RobotQuestion, CancelledAtOnce) {
 }
 
 TEST(RobotQuestion, ANameThatIsNoName) {
-  expectError(ErrorCode::kNotXml, {"no name"}, [] { parseRobotDescription("<!-ameoM/>"); });
+  expectError(ErrorCode::kNotXml, {"the name of an element is not allowed in XML"}, [] { parseRobotDescription("<!-ameoM/>"); });
 }
 
 TEST(RobotQuestion, MoreElementsThanAnyRobotHas) {

@@ -1,4 +1,5 @@
-// Reading and writing mesh files. No other room of the libraries sees Assimp.
+// Reading and writing mesh files. Formats are parsed in another process, which links Assimp; the
+// libraries do not.
 //
 // For example:
 //

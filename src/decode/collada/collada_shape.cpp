@@ -200,14 +200,14 @@ class ShapeReader {
     for (std::string_view word = nextWord(&text); !word.empty(); word = nextWord(&text), ++count) {
       if (count % kNumbersBetweenChecks == 0) control_.check();
       std::int64_t index = 0;
-      if (!parseInteger(word, &index)) failElement(path_, list, "holds " + inQuotes(word) + ", which is no index");
+      if (!parseInteger(word, &index)) failElement(path_, list, "holds " + inQuotes(word) + ", which is not an index");
       if (count % width != offset) continue;
       if (index < 0 || static_cast<std::size_t>(index) >= shape_.points.size())
         failIndex(path_, static_cast<std::size_t>(list.GetLineNum()), index, shape_.points.size(), 0);
       corners.push_back(static_cast<int>(index));
     }
     if (count % width != 0)
-      failElement(path_, list, "holds " + std::to_string(count) + " indices, which is no multiple of " + std::to_string(width));
+      failElement(path_, list, "holds " + std::to_string(count) + " indices, which is not a multiple of " + std::to_string(width));
     return corners;
   }
 
@@ -219,7 +219,7 @@ class ShapeReader {
     if (kind == "polygons") {
       addPolygon(corners.data(), n);
     } else if (kind == "triangles") {
-      if (n % 3 != 0) failElement(path_, primitive, "has a <p> of " + std::to_string(n) + " corners, which is no multiple of 3");
+      if (n % 3 != 0) failElement(path_, primitive, "has a <p> of " + std::to_string(n) + " corners, which is not a multiple of 3");
       for (std::size_t i = 0; i < n; i += 3) addPolygon(corners.data() + i, 3);
       return n / 3;
     } else if (kind == "trifans") {
@@ -241,7 +241,7 @@ class ShapeReader {
     for (std::string_view word = nextWord(&text); !word.empty(); word = nextWord(&text), ++polygons) {
       std::int64_t size = 0;
       if (!parseInteger(word, &size) || size < 0)
-        failElement(path_, *vcount, "holds " + inQuotes(word) + ", which is no number of corners");
+        failElement(path_, *vcount, "holds " + inQuotes(word) + ", which is not a number of corners");
       if (static_cast<std::size_t>(size) > corners.size() - begin)
         failElement(path_, *vcount, "counts more than the " + std::to_string(corners.size()) + " corners that there are");
       addPolygon(corners.data() + begin, static_cast<std::size_t>(size));

@@ -54,7 +54,7 @@ const ColladaElement& parseCollada(const std::string& bytes, const std::string& 
   expectNoDeclarations(*document, path);
   const ColladaElement* root = document->RootElement();
   if (root == nullptr || !isNamed(*root, "COLLADA") || root->NextSiblingElement() != nullptr)
-    failNotAMesh(path, "is no document with <COLLADA> as its only root");
+    failNotAMesh(path, "is not a document with <COLLADA> as its only root");
   return *root;
 }
 

@@ -127,11 +127,11 @@ void GltfDocument::parse(std::string_view text) {
   try {
     root_ = Json::parse(text.begin(), text.end(), look);
   } catch (const Json::parse_error& error) {
-    fail("is no JSON from byte " + std::to_string(error.byte) + " on");
+    fail("is not JSON from byte " + std::to_string(error.byte) + " on");
   } catch (const Json::exception&) {
     fail("has a number that is too large for JSON");
   }
-  if (!root_.is_object()) fail("is no glTF: its JSON is no object");
+  if (!root_.is_object()) fail("is not a glTF file: its JSON is not an object");
 }
 
 /// Before anything else is looked at: other versions have it in other places.
@@ -157,7 +157,7 @@ void GltfDocument::checkExtensions() const {
 const std::string* GltfDocument::bufferUri(std::size_t buffer) const {
   const Json& object = item("buffers", buffer);
   if (!object.contains("uri")) return nullptr;
-  if (!object["uri"].is_string()) fail(named("buffers", buffer) + ".uri is no text");
+  if (!object["uri"].is_string()) fail(named("buffers", buffer) + ".uri is not a string");
   return object["uri"].get_ptr<const std::string*>();
 }
 
@@ -193,7 +193,7 @@ void GltfDocument::readBuffer(std::size_t buffer, const Contents& files) {
   std::string place = "there";
   if (uri && isData(*uri)) {
     const std::optional<std::string> bytes = fromDataUri(*uri);
-    if (!bytes) fail(name + " is no base64");
+    if (!bytes) fail(name + " is not valid base64");
     content = decoded_[buffer] = *bytes;
   } else if (uri) {
     content = files.at(*uri);
@@ -208,14 +208,14 @@ void GltfDocument::readBuffer(std::size_t buffer, const Contents& files) {
 
 std::size_t GltfDocument::count(const char* list) const {
   if (!root_.contains(list)) return 0;
-  if (!root_[list].is_array()) fail(std::string(list) + " is no list");
+  if (!root_[list].is_array()) fail(std::string(list) + " is not a list");
   return root_[list].size();
 }
 
 const Json& GltfDocument::item(const char* list, std::size_t index) const {
   if (index >= count(list)) fail("names " + named(list, index) + ", but there are " + std::to_string(count(list)));
   const Json& found = root_[list][index];
-  if (!found.is_object()) fail(named(list, index) + " is no object");
+  if (!found.is_object()) fail(named(list, index) + " is not an object");
   return found;
 }
 
@@ -230,7 +230,7 @@ std::vector<std::size_t> GltfDocument::indices(const Json& object, const char* m
   std::vector<std::size_t> result;
   if (!object.contains(member)) return result;
   const Json& list = object[member];
-  if (!list.is_array()) fail(name + "." + member + " is no list");
+  if (!list.is_array()) fail(name + "." + member + " is not a list");
   for (const Json& each : list) {
     if (!each.is_number_unsigned()) fail(name + "." + member + " holds " + inQuotes(each.dump()) + ", no whole number");
     result.push_back(each.get<std::size_t>());

@@ -64,7 +64,7 @@ class GltfReader {
     if (!shift.empty()) result.translate(Eigen::Vector3d(shift[0], shift[1], shift[2]));
     if (!turn.empty()) {
       const Eigen::Quaterniond rotation(turn[3], turn[0], turn[1], turn[2]);
-      if (std::abs(rotation.norm() - 1) > kUnitQuaternion) document_.fail(name + ".rotation is no unit quaternion");
+      if (std::abs(rotation.norm() - 1) > kUnitQuaternion) document_.fail(name + ".rotation is not a unit quaternion");
       result.rotate(rotation.normalized());
     }
     if (!scale.empty()) result.scale(Eigen::Vector3d(scale[0], scale[1], scale[2]));
@@ -99,7 +99,7 @@ class GltfReader {
     const std::string name = "meshes[" + std::to_string(index) + "]";
     if (!mesh.contains("primitives") || !mesh["primitives"].is_array()) document_.fail(name + " has no primitives");
     for (const Json& primitive : mesh["primitives"]) {
-      if (!primitive.is_object()) document_.fail(name + " has a primitive that is no object");
+      if (!primitive.is_object()) document_.fail(name + " has a primitive that is not an object");
       if (primitive.contains("targets") && (weights_of_node || isInUse(mesh)))
         document_.fail(name + " has morph targets in use; apply them before the export");
       addPrimitive(primitive, name, placement);

@@ -111,7 +111,8 @@ class OffReader {
       std::int64_t index = 0;
       const std::string_view word = nextWord(&line);
       if (!parseInteger(word, &index))
-        failNotAMesh(path_, lines_.number(), word.empty() ? "the face has fewer corners than announced" : inQuotes(word) + " is no index");
+        failNotAMesh(path_, lines_.number(),
+                     word.empty() ? "the face has fewer corners than announced" : inQuotes(word) + " is not an index");
       if (index < 0 || index >= vertices_) failIndex(path_, lines_.number(), index, static_cast<std::size_t>(vertices_), 0);
       polygons_.addCorner(static_cast<int>(index));
     }

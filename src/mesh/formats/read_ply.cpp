@@ -55,7 +55,7 @@ class TextValues {
     std::int64_t value = 0;
     const Range range = rangeOf(type);
     if (!parseInteger(word, &value) || value < range.least || value > range.most)
-      fail(inQuotes(word) + " is no integer from " + std::to_string(range.least) + " to " + std::to_string(range.most));
+      fail(inQuotes(word) + " is not an integer from " + std::to_string(range.least) + " to " + std::to_string(range.most));
     return value;
   }
   double number(PlyType type) { return isInteger(type) ? static_cast<double>(integer(type)) : numberIn(value(), path_, lines_.number()); }

@@ -343,7 +343,7 @@ def _vertices(value: Any) -> numpy.ndarray:
         bad = ~numpy.isfinite(array.astype(numpy.float32)).all(axis=1)
     if bad.any():
         row = int(bad.argmax())
-        raise Error(f"vertices[{row}] is {array[row].tolist()}, which is no finite number of single precision; correct or remove it", "NonFiniteCoordinate")
+        raise Error(f"vertices[{row}] is {array[row].tolist()}, which is not a finite number of single precision; correct or remove it", "NonFiniteCoordinate")
     return array
 
 

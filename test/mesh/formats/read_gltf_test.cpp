@@ -168,14 +168,14 @@ TEST(ReadGltf, BrokenFilesNameTheItem) {
        {R"({"asset": {"version": "1.0"}, "buffers": {"all": {}}, "meshes": {}})", "is glTF \"1.0\"; export it as glTF 2"},
        {R"({"asset": {"version": "2.0"}, "extensionsRequired": ["EXT_meshopt_compression"], "buffers": [{"byteLength": 9}]})",
         "'EXT_meshopt_compression', which is not supported"},
-       {"[]", "is no object"},
-       {"{", "is no JSON from byte 2"},
+       {"[]", "is not an object"},
+       {"{", "is not JSON from byte 2"},
        {"{\"a\": 1e999}", "a number that is too large"},
        {withNodes(R"([{"children": [0]}])"), "nodes[0] is placed twice"},
        {withNodes(R"([{"mesh": 4}])"), "meshes[4], but there are 1"},
        {withNodes(R"([{"mesh": -1}])"), "nodes[0].mesh is '-1', no whole number"},
        {withNodes(R"([{"mesh": 0, "scale": [1, 2]}])"), "nodes[0].scale are not 3 numbers"},
-       {withNodes(R"([{"mesh": 0, "rotation": [0, 0, 0, 2]}])"), "nodes[0].rotation is no unit quaternion"},
+       {withNodes(R"([{"mesh": 0, "rotation": [0, 0, 0, 2]}])"), "nodes[0].rotation is not a unit quaternion"},
        {withNodes(R"([{"mesh": 0, "matrix": [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}])"), "nodes[0].matrix"},
        {withPrimitives(R"([{"attributes": {"POSITION": 1}}])"), "accessors[1] is not of type VEC3"},
        {withPrimitives(R"([{"attributes": {"POSITION": 0}, "indices": 0}])"), "accessors[0] holds indices"},
@@ -217,9 +217,9 @@ TEST(ReadGltf, BuffersAreTextsOfBase64OrFiles) {
     std::string text = json({});
     return text.replace(text.find(R"("byteLength": 58)"), 16, R"("byteLength": 58, "uri": )" + uri);
   };
-  expectRefused("a.gltf", {{with(R"("data:,abc")"), "buffers[0] is no base64"},
-                           {with(R"("data:;base64,A")"), "buffers[0] is no base64"},
-                           {with("7"), "buffers[0].uri is no text"}});
+  expectRefused("a.gltf", {{with(R"("data:,abc")"), "buffers[0] is not valid base64"},
+                           {with(R"("data:;base64,A")"), "buffers[0] is not valid base64"},
+                           {with("7"), "buffers[0].uri is not a string"}});
 }
 
 TEST(ReadGltf, MessagesArePrintable) {

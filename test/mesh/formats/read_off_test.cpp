@@ -73,7 +73,7 @@ TEST(ReadOff, RefusesCountsThatTheDataDoesNotBack) {
   expectRefused("a.off", {{"OFF\n3 1 0\n0 0 0\n1 0 0\n1 2\n3 0 1 2\n", "line 5: a number is missing"},
                           {"OFF\n3 1 0\n0 0 0\n1 0 0\n1 2 0\n4 0 1 2\n", "line 6: the face has fewer corners"},
                           {"OFF\n3 1 0\n0 0 0\n1 0 0\n1 2 0\n0\n", "line 6: a face begins with its number of corners, not with '0'"},
-                          {"OFF\n3 1 0\n0 0 0\n1 0 0\n1 2 0\n3 0 1 x\n", "line 6: 'x' is no index"}});
+                          {"OFF\n3 1 0\n0 0 0\n1 0 0\n1 2 0\n3 0 1 x\n", "line 6: 'x' is not an index"}});
 }
 
 TEST(ReadOff, RefusesIndicesOutOfRange) {

@@ -108,13 +108,13 @@ TEST(ReadPly, RefusesNumbersThatOthersGuess) {
     expectRefused("a.ply", {{kHeader + "0 0 0\n1 " + word + " 0\n1 2 0\n3 0 1 2\n", part}});
   }
   const std::string coloured = replaced(kHeader, "float z\n", "float z\nproperty uchar red\n");
-  expectRefused("a.ply", {{coloured + "0 0 0 7\n1 0 0 7,5\n1 2 0 7\n3 0 1 2\n", "line 12: '7,5' is no integer from 0 to 255"},
-                          {coloured + "0 0 0 7\n1 0 0 7.5\n1 2 0 7\n3 0 1 2\n", "line 12: '7.5' is no integer"},
-                          {coloured + "0 0 0 7\n1 0 0 256\n1 2 0 7\n3 0 1 2\n", "line 12: '256' is no integer"}});
+  expectRefused("a.ply", {{coloured + "0 0 0 7\n1 0 0 7,5\n1 2 0 7\n3 0 1 2\n", "line 12: '7,5' is not an integer from 0 to 255"},
+                          {coloured + "0 0 0 7\n1 0 0 7.5\n1 2 0 7\n3 0 1 2\n", "line 12: '7.5' is not an integer"},
+                          {coloured + "0 0 0 7\n1 0 0 256\n1 2 0 7\n3 0 1 2\n", "line 12: '256' is not an integer"}});
   const std::string whole = replaced(kHeader, "float x", "uchar x");
   for (const char* word : {"0.5", "256", "-1"})
     expectRefused("a.ply", {{whole + "0 0 0\n" + word + " 0 0\n1 2 0\n3 0 1 2\n",
-                             "line 11: '" + std::string(word) + "' is no integer from 0 to 255"}});
+                             "line 11: '" + std::string(word) + "' is not an integer from 0 to 255"}});
   expectRefused("a.ply", {{kHeader + "0 0 0\n1 0 0\n1 nan 0\n3 0 1 2\n", "vertex 2 (of face 0", ErrorCode::kNonFiniteCoordinate}});
 }
 
@@ -171,11 +171,11 @@ TEST(ReadPly, RefusesRowsThatDoNotFit) {
                  {kHeader + "0 0 0 0\n1 0 0\n1 2 0\n3 0 1 2\n", "line 10: too many values for element 'vertex'"},
                  {kHeader + "0 0\n1 0 0\n1 2 0\n3 0 1 2\n", "line 10: too few values for element 'vertex'"},
                  {kHeader + "0 0 0\n1 0 0\n1 2 0\n4 0 1 2\n", "line 13: too few values for element 'face'"},
-                 {kHeader + "0 0 0\n1 0 0\n1 2 0\n300 0 1 2\n", "'300' is no integer from 0 to 255"},
-                 {kHeader + "0 0 0\n1 0 0\n1 2 0\n3 0 1 2.0\n", "'2.0' is no integer"},
+                 {kHeader + "0 0 0\n1 0 0\n1 2 0\n300 0 1 2\n", "'300' is not an integer from 0 to 255"},
+                 {kHeader + "0 0 0\n1 0 0\n1 2 0\n3 0 1 2.0\n", "'2.0' is not an integer"},
                  {kHeader + "0 0 0\n1 0 0\n1 2 0\n3 0 1 3\n", "face 0 names vertex 3, but there are 3", ErrorCode::kIndexOutOfRange},
                  {kHeader + "0 0 0\n1 0 0\n1 2 0\n3 0 1 -1\n", "face 0 names vertex -1", ErrorCode::kIndexOutOfRange},
-                 {kHeader + "0 0 0\n1 0 0\n1 2 0\n3 0 1 4294967297\n", "'4294967297' is no integer from -2147483648"}});
+                 {kHeader + "0 0 0\n1 0 0\n1 2 0\n3 0 1 4294967297\n", "'4294967297' is not an integer from -2147483648"}});
   std::string bytes = replaced(kHeader, "ascii", "binary_little_endian");
   for (const Eigen::Vector3d& p : kFirst)
     for (const double x : p) bytes += raw(static_cast<float>(x));

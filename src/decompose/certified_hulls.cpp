@@ -202,9 +202,9 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
     return std::string(name(options.method)) + " ignores the tolerance; use another method";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
   if (!made.result.untried.empty()) return "time ran out (not done: " + made.result.untried + "); raise the time limit or the tolerance";
-  if (made.too_fine)
+  if (made.too_fine && !made.capped)
     return "the tolerance asks for more pieces than a mesh is divided into; raise it to what the hulls keep, " +
-           millimetres(made.result.bound) + ", or remove small parts";
+           millimetres(made.result.bound) + ", or remove fine details";
   const std::string hulls = "max-hulls " + std::to_string(options.max_hulls);
   if (made.capped && options.method == Method::kCertified)
     return "the limit (" + hulls + ") made the hulls coarser; raise it, or the tolerance";

@@ -143,7 +143,6 @@ class Job {
     Cover result = coverHere();
     const double most = boundingBox(mesh_).diagonal().norm();
     while (surplus_ && tolerance_ < most && !searching_.late()) {
-      is_too_fine_ = true;
       setTolerance(kNextTolerance * tolerance_);
       groups_.reset();
       result = coverHere();
@@ -151,8 +150,7 @@ class Job {
     return result;
   }
 
-  /// Whether cover() had to take a larger tolerance.
-  bool isTooFine() const { return is_too_fine_; }
+  bool isAtOwnTolerance() const { return tolerance_ == options_.tolerance; }  // after cover(): it needed no larger one
 
   /// What the deadline cut short or left out; empty: nothing.
   const std::string& untried() const { return untried_; }
@@ -374,8 +372,6 @@ class Job {
     return cover.size() <= leastKnown() || (isAtOwnTolerance() && cover.size() <= kMostToProve && cover.size() <= least(cover));
   }
 
-  bool isAtOwnTolerance() const { return tolerance_ == options_.tolerance; }
-
   /// 0: time ended.
   std::size_t least(const Cover& cover) {
     std::vector<ConvexHull> hulls;
@@ -427,7 +423,6 @@ class Job {
   std::size_t leaves_ = 0;                 // that it was merged from
   bool divided_ = false;                   // by the last way in time
   bool surplus_ = false;                   // leaves stayed whole, as there were too many
-  bool is_too_fine_ = false;               // the tolerance
   Stretch whole_;                          // of the run, for what is done now
   std::string untried_;
 };
@@ -463,9 +458,9 @@ Decomposition certified(const RepairedMesh& mesh, const Solid& solid, const Deco
   Job job(mesh, solid, options, least, control);
   Decomposition result;
   const Cover cover = job.cover();
+  result.too_fine = !job.isAtOwnTolerance();
   result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
   result.hulls = result.capped ? job.limited(cover) : job.hullsOf(cover);
-  result.too_fine = job.isTooFine();
   result.untried = job.untried();
   control.report(1);
   return result;

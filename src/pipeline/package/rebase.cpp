@@ -46,7 +46,6 @@ class Rebasing {
   /// nullopt for a URI that stays.
   std::optional<std::string> of(const std::string& uri) {
     control_.check();
-    if (!isRelativeUri(uri) && !leadsToStandIn(uri, base_, find_package_)) return std::nullopt;
     const auto [known, is_new] = uris_.try_emplace(uri);
     if (is_new) known->second = found(uri);
     return known->second;
@@ -61,6 +60,7 @@ class Rebasing {
 
  private:
   std::optional<std::string> found(const std::string& uri) const try {
+    if (!isRelativeUri(uri) && !leadsToStandIn(uri, base_, find_package_)) return std::nullopt;
     return to(resolveUri(uri, base_, find_package_));
   } catch (const Error& error) {
     if (error.code() == ErrorCode::kCancelled) throw;

@@ -4,7 +4,7 @@
 // So pieces are split until every hull fits (top down), hulls are merged while their union still fits (bottom up), and a search dissolves
 // and merges again. Splitting alone leaves slivers that merging picks up; merging alone would need leaves that somebody has split well.
 //
-//   for each way to split (a score for planes, and how much of the tolerance leaves may use):
+//   for each way to split (a score for planes, and how much of the tolerance leaves may use):     plan.h
 //     leaves = splitIntoLeaves()             splitting.h
 //     cover  = mergedBest(leaves)            merging.h; with Effort::kBest, improved() a little
 //     keep the cover if it has fewer hulls than the best so far; if it is provably minimal, stop     lower_bound.h
@@ -35,7 +35,6 @@
 #include "collision_hulls/decompose/certified.h"
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -49,6 +48,7 @@
 #include "decompose/certified/lower_bound.h"
 #include "decompose/certified/merging.h"
 #include "decompose/certified/place.h"
+#include "decompose/certified/plan.h"
 #include "decompose/certified/tree_building.h"
 #include "decompose/certified/unproved_tree.h"
 #include "decompose/finest_tolerance.h"
@@ -58,23 +58,11 @@ namespace collision_hulls {
 
 namespace {
 
-// Share of the tolerance used for splitting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
-constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
 // A way that gives more leaves than this, times those of the cover to beat (or times its hulls), is not worth merging.
 constexpr double kMoreLeaves = 1.5;
-// Kinds of score: in favour of one large finished side, of any finished side, and with little weight on volume.
-constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleVolume{0.1, 0, 0};
-// Quick: the second and the third way are tried only if the best cover so far has no more hulls than this, when every hull counts.
-constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(), kFew = 24, kVeryFew = 10;
 // Multiples of the tolerance that are tried before it where there is a deadline.
 constexpr double kCoarsest = 16, kCoarser = 4;
-constexpr double kNextTolerance = 2;  // times one at which a mesh falls into too many pieces
-// The most leaves of a part that is split on its own, for Effort::kInstant and for others; and how many times as many a mesh may have.
-constexpr std::size_t kMostForInstant = 1000, kMostLeaves = 5000, kMostInAll = 2;
-// Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of
-// splitting.
-constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
-constexpr std::size_t kBestElements = 150;
+constexpr double kNextTolerance = 2;     // times one at which a mesh falls into too many pieces
 constexpr std::size_t kMostToProve = 8;  // hulls; of covers with more, it can hardly ever be proved that none has fewer
 // A tree over more hulls than this, times the limit, is a worse cover than one at a larger tolerance, and takes longer. So nobody searches
 // for fewer of them.
@@ -82,34 +70,6 @@ constexpr std::size_t kFewForTree = 4;
 // Progress: splitting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
 // splitting takes kSplitting; of Effort::kBest, the search of Effort::kQuick kQuickShare.
 constexpr double kCovered = 0.7, kSearched = 0.9, kSplitting = 0.8, kQuickShare = 0.1;
-
-/// One way to split.
-struct Way {
-  ScoreWeights weights;
-  double leaf_share = kLeafShare;
-  std::size_t few = kAnyNumber;  // tried only if the ways before it leave no more hulls than this
-  bool largest_side_first = false;
-};
-
-/// How hard to try.
-struct Plan {
-  std::vector<Way> ways;
-  std::size_t elements = 0;    // pieces that leaves are divided into for the search; 0: leaves are not divided
-  long first_evaluations = 0;  // evaluations for the search after each way of splitting,
-  long evaluations = 0;        // and for the final search on the best cover
-  std::size_t most_leaves = kMostLeaves;
-};
-
-Plan planFor(Effort effort) {
-  if (effort == Effort::kInstant) return {{{kLargeSides}}, 0, 0, 0, kMostForInstant};
-  if (effort == Effort::kQuick)
-    return {{{kLargeSides}, {kAnySide, kLeafShare, kFew}, {kLargeSides, kLargeLeafShare, kVeryFew, true}}, 0, 0, kQuickEvaluations};
-  Plan plan{{}, kBestElements, kFirstEvaluations, kBestEvaluations};
-  for (const double share : {kLeafShare, kLargeLeafShare})
-    for (const ScoreWeights& weights : {kLargeSides, kAnySide, kLittleVolume}) plan.ways.push_back({weights, share});
-  plan.ways.push_back({kLargeSides, kLargeLeafShare, kAnyNumber, true});
-  return plan;
-}
 
 /// A stretch of the whole run's progress, for one stage of it.
 struct Stretch {
@@ -332,7 +292,7 @@ class Job {
     // Parts that finish a largest side first hardly merge, so they have to be few from the start.
     const auto enough = static_cast<double>(way.largest_side_first ? best.size() : leaves_);
     const std::size_t most = groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * enough) : plan.most_leaves;
-    const std::optional<HalfSpace> largest_side = way.largest_side_first ? largestSideOfAll() : std::nullopt;
+    const std::optional<HalfSpace> largest_side = way.largest_side_first ? largestSideOfAll(way.leaf_share) : std::nullopt;
     if (way.largest_side_first && !largest_side) return false;
     const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(stretch.part(0, kSplitting)));
     const bool has_surplus = std::any_of(parts.begin(), parts.end(), [](const Leaf& leaf) { return leaf.is_surplus; });
@@ -381,8 +341,8 @@ class Job {
     return result;
   }
 
-  std::optional<HalfSpace> largestSideOfAll() {
-    oracle_.setShare(kLargeLeafShare);
+  std::optional<HalfSpace> largestSideOfAll(double share) {
+    oracle_.setShare(share);
     std::optional<HalfSpace> result;
     inTime([&] { result = largestSide(withLoose(mesh_), oracle_); });
     oracle_.setShare(1);
@@ -392,7 +352,7 @@ class Job {
   std::vector<Leaf> leaves(const Way& way, const std::optional<HalfSpace>& largest_side, std::size_t most,
                            const std::function<void(double)>& progress) {
     oracle_.setShare(way.leaf_share);
-    const SplitOptions options{way.weights, options_.max_vertices, options_.fill, most, kMostInAll * plan_.most_leaves, largest_side};
+    const SplitOptions options{way.weights, options_.max_vertices, options_.fill, most, plan_.most_in_all, largest_side};
     std::vector<Leaf> leaves = splitIntoLeaves(mesh_, oracle_, options, progress);
     oracle_.setShare(1);
     return leaves;

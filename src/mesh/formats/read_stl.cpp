@@ -45,6 +45,12 @@ LoadedMesh readBinary(const std::string& bytes, const std::string& path, const R
   return result;
 }
 
+/// Keywords are in lower case, but for some programs.
+bool isKeyword(std::string_view word, std::string_view keyword) {
+  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b; };
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), same);
+}
+
 class TextReader {
  public:
   TextReader(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control)
@@ -55,7 +61,7 @@ class TextReader {
       expect("solid");
       line_ = {};  // a solid's name may hold any word
       polygons_.beginPart();
-      while (word() == "facet") readFacet();
+      while (isKeyword(word(), "facet")) readFacet();
       if (word_.empty()) failNotAMesh(path_, "text STL without 'endsolid' at its end, cut off after facet " + std::to_string(facets_));
       expect("endsolid");
       line_ = {};
@@ -70,7 +76,7 @@ class TextReader {
   }
 
   void expect(std::string_view wanted) const {
-    if (word_ != wanted)
+    if (!isKeyword(word_, wanted))
       failNotAMesh(path_, lines_.number(),
                    "expected '" + std::string(wanted) + "', found " + (word_.empty() ? "the end" : inQuotes(word_)));
   }
@@ -85,7 +91,7 @@ class TextReader {
       expect(wanted);
     }
     int corners = 0;
-    for (; word() == "vertex"; ++corners) readCorner();
+    for (; isKeyword(word(), "vertex"); ++corners) readCorner();
     expect("endloop");
     word();
     expect("endfacet");
@@ -114,7 +120,7 @@ class TextReader {
 };
 
 bool isText(std::string_view bytes) {
-  return nextWord(&bytes) == "solid" && bytes.find('\0') == std::string_view::npos;
+  return isKeyword(nextWord(&bytes), "solid") && bytes.find('\0') == std::string_view::npos;
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ class Decision {
     collision_hulls::apply(rule.settings, options_);
     if (rule.settings.action) action_place_ = rule.place;
     if (rule.settings.method) method_place_ = rule.place;
-    if (rule.settings.shapes) shapes_place_ = rule.place;
+    if (rule.settings.method || rule.settings.shapes || rule.settings.fill || rule.settings.padding) shapes_place_ = rule.place;
     const std::string setting = firstSetting(rule.settings);
     if (options_.action != Action::kDecompose && !setting.empty())
       refuse(rule, setting, std::string(options_.action == Action::kKeep ? "is kept" : "is removed") + " by " + action_place_,
@@ -140,13 +140,13 @@ class Decision {
                                              "', whose hulls are padded by " + toString(lengthOf(options_.padding)) +
                                              ": leave one of them out, or give the link padding: 0");
     options_.regions.push_back(regionOf(rule));
+    shapes_place_ = rule.place;
   }
 
   /// Without what does not matter. A tree knows nothing of regions.
   LinkOptions options() const {
     LinkOptions result = options_;
-    if (result.action == Action::kDecompose)
-      inContext(at(shapes_place_.empty() ? method_place_ : shapes_place_) + "link '" + link_ + "'", [&] { checkShapes(result); });
+    if (result.action == Action::kDecompose) inContext(at(shapes_place_) + "link '" + link_ + "'", [&] { checkShapes(result); });
     if (result.method != Method::kCertified) {
       result.effort = Effort::kQuick;
       result.fill = false;
@@ -167,7 +167,8 @@ class Decision {
 
   const std::string& link_;
   LinkOptions options_;
-  std::string action_place_, method_place_, shapes_place_;
+  std::string action_place_, method_place_;
+  std::string shapes_place_;  // of what was decided last among settings that may contradict shapes
 };
 
 }  // namespace

@@ -162,6 +162,10 @@ TEST(LinkDecisions, ContradictionsBetweenRules) {
             std::string::npos);
   EXPECT_NE(refusal("default: {method: hacd}\nlinks: {panda_hand: {fill: true}}").find("which has method 'hacd', and only 'certified'"),
             std::string::npos);
+  for (const char* const setting : {"fill: true", "padding: 3mm", "method: hacd"}) {
+    const std::string message = refusal(std::string("default: {shapes: spheres}\nlinks:\n  panda_hand: {") + setting + "}");
+    EXPECT_EQ(message.find("'f.yaml', line 3: link 'panda_hand': shapes 'spheres' contradicts"), 0u) << message;
+  }
   EXPECT_EQ(refusal("links: {.*: {effort: best, fill: true}, panda_hand: {method: acd}}"), "accepted");
   EXPECT_EQ(refusal("default: {method: hacd}\nlinks: {panda_hand: {method: certified, fill: true}}"), "accepted");
 }
@@ -248,6 +252,7 @@ TEST(LinkDecisions, RegionsThatCannotHold) {
   expect("links: {panda_hand: keep}\nregions:\n  - {link: panda_.*" + shape,
          {"line 3", "region '1' holds for link 'panda_hand', which is kept by 'f.yaml', line 1", "leave one of them out"});
   expect("default: {padding: 2cm}\nregions:\n  - {link: panda_hand" + shape, {"line 3", "whose hulls are padded by 2cm", "padding: 0"});
+  expect("default: {shapes: box}\nregions:\n  - {link: panda_hand" + shape, {"line 3: link 'panda_hand': shapes 'box' contradicts region"});
   expect("links: {panda_hand: remove}\nregions:\n  - {link: panda_hand" + shape, {"which is removed by"});
 }
 

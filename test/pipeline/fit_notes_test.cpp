@@ -58,6 +58,10 @@ TEST_F(FitRobotToScene, SaysThatTheSceneIsFarAway) {
   EXPECT_TRUE(isNoted(far, "the nearest, 'shelf', is 441 m from its root link")) << fixtures::joined(far.report.notes);
   request_.scene.bodies.push_back({"table", boxShape({1, 1, 1}), at(3, 0, 0)});
   EXPECT_FALSE(isNoted(run(fixtures::link("base", bracket())), note));
+  request_.scene.bodies = {{"room", test_shapes::box(4000, 3000, 2500), at(-2000, -1500, -500)}};
+  EXPECT_TRUE(isNoted(run(fixtures::link("base", bracket())), "the nearest, 'room', is 500 m from its root link"));
+  request_.scene.bodies = {{"room", test_shapes::box(4, 3, 2.5), at(-2, -1.5, -0.5)}};
+  EXPECT_FALSE(isNoted(run(fixtures::link("base", bracket())), note));
 }
 
 TEST_F(FitRobotToScene, SaysThatTheRobotStandsInTheScene) {

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <variant>
 
 #include "base/counted.h"
 #include "base/decimal.h"
+#include "collision_hulls/geometry/triangle_bvh.h"
 #include "pipeline/mesh_result.h"
 
 namespace collision_hulls {
@@ -56,14 +58,19 @@ std::string noteOnNearPairs(const FitReport& fit) {
          "; if they have to work closer together than the clearance, use a smaller clearance";
 }
 
-/// [m] From the root's origin to the body's bounding box.
+/// [m] From the root's origin to a hull's bounding box, or to a mesh, in which a robot may stand.
 double distanceTo(const SceneBody& body) {
-  Eigen::AlignedBox3d box;
-  const auto extend = [&](const auto& shape) {
-    for (const Eigen::Vector3d& p : shape.vertices) box.extend(body.pose * p);
-  };
-  std::visit(extend, body.shape);
-  return box.exteriorDistance(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d root = body.pose.inverse() * Eigen::Vector3d::Zero();
+  if (const auto* const hull = std::get_if<ConvexHull>(&body.shape)) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : hull->vertices) box.extend(body.pose * p);
+    return box.exteriorDistance(Eigen::Vector3d::Zero());
+  }
+  const auto& mesh = std::get<TriangleMesh>(body.shape);
+  double least = std::numeric_limits<double>::infinity();
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    least = std::min(least, (closestPoint(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), root) - root).norm());
+  return least;
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kLeastMoment = 1e-9;  // [kg m^2], as the note says
+constexpr double kFlat = 1e-6;         // relative
 constexpr std::size_t kMostNamed = 3;  // links or joints of a message
 
 double numberOf(const XmlNode* node, const std::string& attribute, double otherwise) {
@@ -42,11 +43,17 @@ Eigen::Isometry3d originOf(const XmlNode* node) {
   return origin;
 }
 
-/// Moments that a body may have: all positive, and none larger than the sum of the others. Where they are not, their mean stands for all
-/// three, as MuJoCo's balanceinertia has it; simulators refuse other tensors.
-Eigen::Vector3d balanced(const Eigen::Vector3d& moments) {
-  const bool possible = moments.minCoeff() > 0 && 2 * moments.maxCoeff() < moments.sum();
-  return possible ? moments : Eigen::Vector3d(Eigen::Vector3d::Constant(std::max(kLeastMoment, moments.sum() / 3)));
+/// Moments that a body may have: all positive, and none larger than the sum of the others. That of a flat plate is as large, and would pass
+/// for larger by rounding, so it is made less by kFlat. Where moments are impossible, their mean stands for all three, as MuJoCo's
+/// balanceinertia has it; simulators refuse other tensors.
+Eigen::Vector3d balanced(Eigen::Vector3d moments) {
+  Eigen::Index largest = 0;
+  const double most = moments.maxCoeff(&largest), others = moments.sum() - most;
+  if (moments.minCoeff() > 0 && most <= (1 + kFlat) * others) {
+    moments[largest] = std::min(most, (1 - kFlat) * others);
+    return moments;
+  }
+  return Eigen::Vector3d::Constant(std::max(kLeastMoment, moments.sum() / 3));
 }
 
 /// "'a', 'b', 'c' and 4 more", for messages.
@@ -104,7 +111,7 @@ void WrittenModel::readDynamics(const XmlNode& robot) {
     if (!(inertial.mass > 0)) continue;
     const std::string name = link->attribute("name");
     inertials_[name] = inertial;
-    if (moments != inertial.moments && ++changed == 1)
+    if (!moments.isApprox(inertial.moments, 2 * kFlat) && ++changed == 1)
       notes_.push_back("link '" + name + "': moments of inertia of " + figures(moments) +
                        " are impossible (one is not positive, or larger than the sum of the others); the files of --for use their mean "
                        "instead, but at least 1e-9");

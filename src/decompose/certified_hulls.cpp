@@ -239,10 +239,11 @@ std::string excuseInRegion(const DecomposeOptions& options, const Attempt& made)
                       : excuse(options, made);
 }
 
-/// Passes a part of the work on as the shares `from` to `to` of the whole, which never decrease though attempts begin anew.
-void follow(RunControl& part, const RunControl& whole, double from, double to) {
+/// Passes a part of the work on as the shares `from` to `to` of the whole. `done` is the largest so far of all parts, and what is reported:
+/// attempts begin anew.
+void follow(RunControl& part, const RunControl& whole, double from, double to, double& done) {
   part.whole = &whole;
-  part.progress = [&whole, from, to, done = 0.0](double share) mutable {
+  part.progress = [&whole, from, to, &done](double share) {
     done = std::max(done, from + (to - from) * share);
     whole.report(done);
   };
@@ -288,8 +289,9 @@ CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& 
   checkTolerance(options);
   expectResolvableTolerances(mesh, options);
   RunControl decomposing, certifying;
-  follow(decomposing, control, 0, kDecomposeShare);
-  follow(certifying, control, kDecomposeShare, 1);
+  double done = 0;
+  follow(decomposing, control, 0, kDecomposeShare, done);
+  follow(certifying, control, kDecomposeShare, 1, done);
   Attempt made = bestAttempt(mesh, options, decomposing, certifying);
   CertifiedHulls& result = made.result;
   Stopwatch stage;

@@ -25,7 +25,8 @@ namespace {
 constexpr std::size_t kManyHulls = 100;  // of a mesh
 constexpr std::size_t kManyInAll = 500;  // of a robot
 constexpr std::size_t kHullsOfShell = 8;
-constexpr double kHollow = 0.25;        // of the hulls' volume: shells have less inside
+constexpr double kHollow = 0.25;  // of the hulls' volume: shells have less inside
+constexpr double kWide = 0.2;     // of the diagonal: with such openings a shell has hardly an inside, whatever volume it seems to have
 constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
 constexpr double kNearlyAll = 0.9;      // of the vertices that hulls may have
 constexpr std::size_t kSeveral = 4;     // hulls of a mesh that might take one
@@ -256,7 +257,7 @@ void noteVertexLimit(Report& report) {
 void noteOpenShells(Report& report) {
   const auto is_open = [](const ElementReport& row) {
     return followsTolerance(row) && row.openings > 0 && row.widest_opening <= kLargestTolerance && row.hulls >= kHullsOfShell &&
-           row.volume < kHollow * row.hull_volume;
+           (row.volume < kHollow * row.hull_volume || row.widest_opening > kWide * row.diagonal);
   };
   const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
     return (is_open(a) ? a.hulls : 0) < (is_open(b) ? b.hulls : 0);

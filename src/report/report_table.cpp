@@ -128,16 +128,6 @@ std::string legend(const Report& report) {
   return text;
 }
 
-/// The reason of the first degraded row: the others are of its kind, and in the report.
-std::string degradedLine(const Report& report) {
-  const auto degraded = [](const ElementReport& row) { return row.status == Status::kDegraded; };
-  const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);
-  if (row == report.links.end()) return "";
-  const auto others = static_cast<std::size_t>(std::count_if(row + 1, report.links.end(), degraded));
-  return "degraded: " + row->link + ", " + fileOf(*row) + ": " + row->reason +
-         (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
-}
-
 /// What is proved of each mesh's regions.
 std::string regionLines(const Report& report) {
   std::string text;
@@ -271,6 +261,16 @@ std::string line(const std::string& package, const Missing& missing) {
 }
 
 }  // namespace
+
+/// The others are of its kind, and in the report.
+std::string degradedLine(const Report& report) {
+  const auto degraded = [](const ElementReport& row) { return row.status == Status::kDegraded; };
+  const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);
+  if (row == report.links.end()) return "";
+  const auto others = static_cast<std::size_t>(std::count_if(row + 1, report.links.end(), degraded));
+  return "degraded: " + row->link + ", " + fileOf(*row) + ": " + row->reason +
+         (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
+}
 
 std::string toTable(const Report& report) {
   std::string text =

@@ -1,6 +1,7 @@
 // Reads a request and the parameters, runs the library, writes and shows the result. The doors (door.h) bring requests in and answers out.
 #include "node.h"
 
+#include <filesystem>
 #include <memory>
 
 #include "collision_hulls/pipeline/fit_scene.h"
@@ -45,8 +46,8 @@ Response written(RobotResult& result, const std::string& output, const std::vect
   response.table = inNodeWords(toTable(result.report));
   response.totals = toTotals(result.report);
   response.links = toMessages(result);
-  ROS_LOG(response.success ? ros::console::levels::Info : ros::console::levels::Warn, ROSCONSOLE_DEFAULT_NAME, "%s",
-          response.message.c_str());
+  ROS_LOG(response.success && response.totals.degraded == 0 ? ros::console::levels::Info : ros::console::levels::Warn,
+          ROSCONSOLE_DEFAULT_NAME, "%s", response.message.c_str());
   return response;
 }
 
@@ -100,12 +101,12 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const Input input = inputOf(request.robot_description, request.base, control);
   const Options options = requestedOptions(configured(private_, request.config, readOptions(private_), control), request, input.robot);
   const LinkDecisions decisions = firstModelDecisions(options, input.robot, control);  // before anything is written: it may take long
-  const std::string output = outputFor(request.output, input, control);
+  const std::string output = outputFor(request, input, control);
 
   const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, job.stated(view.shown(logged(step))));
   DecomposeResponse response = written<DecomposeResponse>(result, output, places_.packagePath(), request.brief, control);
-  if (!response.urdf_path.empty()) show(input.robot, decisions, result);
+  if (!response.urdf_path.empty()) show(input.robot, decisions, result, output);
   return response;
 }
 
@@ -123,14 +124,14 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   own.padding = 0;
   const Options options = requestedOptions(configured(private_, request.config, own, control), toRequest(request), input.robot);
   const LinkDecisions decisions = firstModelDecisions(options, input.robot, control);
-  const std::string output = outputFor(request.output, input, control);
+  const std::string output = outputFor(request, input, control);
   const SceneRequest scene = requestedScene(request, input, options, control);
 
   const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result =
       fitRobotToScene(input.robot, input.find_package, scene, options, output, control, job.stated(view.shown(logged(step))));
   FitSceneResponse response = written<FitSceneResponse>(result, output, places_.packagePath(), request.brief, control);
-  if (!response.urdf_path.empty()) show(input.robot, decisions, result, &scene.scene);
+  if (!response.urdf_path.empty()) show(input.robot, decisions, result, output, &scene.scene);
   if (!request.brief && !result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }
@@ -180,9 +181,18 @@ Input Node::inputOf(const std::string& robot_description, const std::string& bas
   return input;
 }
 
-std::string Node::outputFor(const std::string& requested, const Input& input, const RunControl& control) const {
-  const std::string wanted = requested.empty() ? textParameter(private_, "output") : requested;
-  const std::string output = places_.output(wanted.empty() ? defaultOutput(input) : wanted);
+/// Nodes in different namespaces, one for each of several arms, have different default folders. Somebody who sends a robot does not replace
+/// the model of another one unawares.
+template <typename Request>
+std::string Node::outputFor(const Request& request, const Input& input, const RunControl& control) const {
+  std::string wanted = request.output.empty() ? textParameter(private_, "output") : request.output;
+  if (wanted.empty()) wanted = (std::filesystem::path(ros::this_node::getNamespace()).relative_path() / defaultOutput(input)).string();
+  const std::string output = places_.output(wanted);
+  const auto earlier = written_.find(output);
+  if (request.output.empty() && !request.robot_description.empty() && earlier != written_.end() && earlier->second != input.robot.name)
+    throw Error(ErrorCode::kBadOption, "'" + output + "' holds the model of robot '" + earlier->second +
+                                           "' that this node wrote; name another folder for robot '" + input.robot.name +
+                                           "' in the field `output`");
   checkOutput(output, control);
   return output;
 }
@@ -209,7 +219,9 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);
 }
 
-void Node::show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene) try {
+void Node::show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const std::string& output,
+                const Scene* scene) try {
+  written_[output] = robot.name;
   private_.setParam("robot_description", result.urdf);
   view_.show(result, scene);
   preview_.take(robot, decisions, result);

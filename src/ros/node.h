@@ -11,6 +11,7 @@
 #include <collision_hulls/ValidateAction.h>
 #include <ros/ros.h>
 
+#include <map>
 #include <string>
 
 #include "collision_hulls/pipeline/decompose_robot.h"
@@ -50,12 +51,15 @@ class Node {
   BuildResponse build(const BuildRequest& request, const RunControl& control, const StepCallback& step);
   ValidateResponse validate(const ValidateRequest& request, const RunControl& control, const StepCallback& step);
   Input inputOf(const std::string& robot_description, const std::string& base, const RunControl& control) const;
-  std::string outputFor(const std::string& requested, const Input& input, const RunControl& control) const;
+  template <typename Request>
+  std::string outputFor(const Request& request, const Input& input, const RunControl& control) const;
   RobotDescription readRobot(const std::string& text, const std::string& base, const RunControl& control) const;
-  void show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene = nullptr);
+  void show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const std::string& output,
+            const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};
   const NodePlaces places_{private_};
+  std::map<std::string, std::string> written_;  // robots by the folder of their model; for the worker alone
   View view_{private_};
   LinkPreviews preview_{private_, view_};
   Door<Decompose, DecomposeAction> decompose_door_;

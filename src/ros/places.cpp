@@ -65,7 +65,9 @@ PackageFinder NodePlaces::packageFinder(const std::string& near) const {
     std::mutex mutex;
     std::map<std::string, std::optional<std::string>> known;
   };
-  return defaultPackageFinder(near, package_path_).askingFirst([answers = std::make_shared<Answers>()](const std::string& package) {
+  std::vector<std::string> path = package_path_;
+  if (std::error_code error; fs::is_directory(output_root_, error)) path.push_back(output_root_);  // what nodes wrote are packages
+  return defaultPackageFinder(near, path).askingFirst([answers = std::make_shared<Answers>()](const std::string& package) {
     const std::lock_guard<std::mutex> lock(answers->mutex);
     const auto [answer, is_new] = answers->known.try_emplace(package);
     if (is_new) answer->second = rosPackage(package);  // which crawls all packages where it finds none

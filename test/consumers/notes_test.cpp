@@ -139,6 +139,20 @@ TEST_F(ConsumerNotes, AnImpossibleInertiaIsBalancedWithANote) {
       << all;
 }
 
+TEST_F(ConsumerNotes, TheInertiaOfAFlatPlateIsPossible) {
+  for (const char* moments : {"ixx=\"0.002\" iyy=\"0.002\" izz=\"0.004\"", "ixx=\"0.1\" iyy=\"0.2\" izz=\"0.3\""}) {
+    RobotResult result = decomposed(threeLinks("<inertial><mass value=\"2\"/><inertia ixy=\"0\" ixz=\"0\" iyz=\"0\" " +
+                                               std::string(moments) + "/></inertial>" + cube()));
+    addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
+    const std::string all = ::testing::PrintToString(result.report.notes), sdf = result.extra_files["model.sdf"];
+    EXPECT_EQ(all.find("impossible"), std::string::npos) << all;
+    const auto value = [&](const std::string& name) { return std::stod(sdf.substr(sdf.find("<" + name + ">") + name.size() + 2)); };
+    const double others = value("ixx") + value("iyy");
+    EXPECT_LT(value("izz"), others);
+    EXPECT_GT(value("izz"), (1 - 1e-5) * others);
+  }
+}
+
 TEST_F(ConsumerNotes, NoInertiaIsTheLeast) {
   const std::string inertial =
       "<inertial><mass value=\"2\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial>";

@@ -251,6 +251,18 @@ TEST(ReadDae, RefusesReferencesThatLeadNowhereOrToSeveral) {
        {replaced(kGood, "<instance_visual_scene url=\"#scene\"/>", ""), "instances no scene"}});
 }
 
+TEST(ReadDae, AGeometryWithoutPointsHasNoTriangles) {
+  const std::string empty =
+      "<geometry id='none'><mesh><source id='no_points'><float_array id='nothing' count='0'/><technique_common>"
+      "<accessor source='#nothing' count='0' stride='3'><param name='X' type='float'/><param name='Y' type='float'/>"
+      "<param name='Z' type='float'/></accessor></technique_common></source><vertices id='no_vertices'><input "
+      "semantic='POSITION' source='#no_points'/></vertices><triangles count='0'><input semantic='VERTEX' "
+      "source='#no_vertices' offset='0'/><p/></triangles></mesh></geometry>";
+  const std::string text = replaced(replaced(kGood, "</library_geometries>", empty + "</library_geometries>"), "</node>",
+                                    "<instance_geometry url='#none'/></node>");
+  EXPECT_EQ(read(text).mesh.vertices, read(kGood).mesh.vertices);
+}
+
 TEST(ReadDae, RefusesArraysThatAreTooShort) {
   expectRefused("a.dae", {{replaced(kGood, "0 0 3<", "0 0<"), "<float_array> announces 15 values but holds 14"},
                           {replaced(kGood, "0 0 3<", "0 0 3 1<"), "<float_array> announces 15 values but holds 16"},

@@ -22,6 +22,33 @@ TEST(Summary, NamesEachFailure) {
   EXPECT_EQ("link hand: hand.stl: no such file\nrobot 'arm': 3 hulls for 1 mesh, 1 failed", summary("arm", report));
 }
 
+TEST(Summary, SaysThatNoneSucceeded) {
+  Report report;
+  report.links.resize(1);
+  report.links[0].link = "hand";
+  report.links[0].uri = "hand.stl";
+  report.links[0].status = Status::kFailed;
+  report.links[0].reason = "no such file";
+  EXPECT_EQ("link hand: hand.stl: no such file\nrobot 'arm': no mesh could be decomposed", summary("arm", report));
+}
+
+TEST(Summary, SaysWhatIsBeyondTheTolerance) {
+  Report report;
+  report.links.resize(2);
+  for (ElementReport& row : report.links) {
+    row.link = "hand";
+    row.uri = "hand.stl";
+    row.hulls = 1;
+    row.protrusion = 0.02;
+    row.status = Status::kDegraded;
+    row.reason = "too few hulls";
+  }
+  EXPECT_EQ(
+      "degraded: hand, hand.stl: too few hulls (1 more mesh: see report.json)\n"
+      "robot 'arm': 2 hulls for 2 meshes, 2 degraded; largest protrusion 20.0 mm (hand)",
+      summary("arm", report));
+}
+
 TEST(Summary, CountsPrimitivesAndNamesTheLargestProtrusion) {
   Report report;
   report.links.resize(2);

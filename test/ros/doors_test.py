@@ -2,6 +2,7 @@
 """What a request may read and write (src/ros/places.cpp), whoever runs the node, and a master that is restarted (src/ros/master_watch.cpp)."""
 import os
 import pathlib
+import re
 import shutil
 import signal
 import socket
@@ -52,9 +53,9 @@ class DoorsTest(unittest.TestCase):
     def said(self):
         return pathlib.Path(self.log).read_text(encoding="utf-8")
 
-    def decompose(self, uri, output="", base=""):
-        robot = robots.chain("small", [("base", robots.link("base", uri))])
-        return decompose(robot_description=robot, output=output, base=base, method="bounding_box", brief=True)
+    def decompose(self, uri, output="", base="", name="small", node=NODE):
+        robot = robots.chain(name, [("base", robots.link("base", uri))])
+        return decompose(node, robot_description=robot, output=output, base=base, method="bounding_box", brief=True)
 
     def assert_done(self, response, place):
         self.assertTrue(response.success, response.message)
@@ -95,7 +96,29 @@ class DoorsTest(unittest.TestCase):
         self.assert_done(self.decompose(uri), self.folder.file("shut/made"))
         self.assert_refused(self.decompose(uri, self.folder.file("shut/other")))
 
+    def test_nodes_in_namespaces_have_folders_of_their_own(self):
+        """As two arms of the same kind have nodes that share their home."""
+        uri = self.folder.uri("open/box.stl")
+        for side in ("left", "right"):
+            self.start_confined(f"__ns:=/{side}")
+            place = os.path.join(self.folder.results, side, "small_collision")
+            self.assert_done(self.decompose(uri, node=f"/{side}{NODE}"), place)
+
+    def test_another_robot_does_not_replace_the_node_s_own_model(self):
+        self.start_confined("_output:=" + self.folder.file("shut/made"))
+        uri = self.folder.uri("open/box.stl")
+        for _ in range(2):
+            self.assert_done(self.decompose(uri), self.folder.file("shut/made"))
+        self.assert_refused(self.decompose(uri, name="other"), "holds the model of robot 'small'", "robot 'other' in the field `output`")
+        self.assert_done(self.decompose(uri, "other", name="other"), os.path.join(self.folder.results, "other"))
+
     # Reading.
+
+    def test_finds_the_packages_that_it_wrote(self):
+        self.start_confined()
+        first = self.decompose(self.folder.uri("open/box.stl"), "first")
+        hull = re.search(r"package://first/[^\"']*", pathlib.Path(first.urdf_path).read_text(encoding="utf-8")).group()
+        self.assert_done(self.decompose(hull, "second"), os.path.join(self.folder.results, "second"))
 
     def test_reads_from_its_roots(self):
         self.start_confined()

@@ -66,7 +66,7 @@ class LaunchTest(unittest.TestCase):
             self.assertNotIn("has no effect", self.log())  # nothing that the launch file sets looks mistyped
             # What a file is told of the run while the node goes on.
             self.assertTrue(robots.wait_until(lambda: "Written to " + self.folder.output in self.log(), 10), self.log())
-        for part in ("robot 'small': 1 hull for 1 mesh; largest protrusion ", '<param name="robot_description" textfile='):
+        for part in ("robot 'small': 1 hull for 1 mesh, 1 degraded; largest protrusion ", '<param name="robot_description" textfile='):
             self.assertIn(part, self.log())
         with open(report, encoding="utf-8") as written:
             rows = {row["link"]: row for row in json.load(written)["links"]}

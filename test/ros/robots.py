@@ -112,10 +112,10 @@ class Folder:
         return chain("slow", links)
 
 
-def decompose(**request):
+def decompose(node=NODE, **request):
     """Calls the service."""
-    rospy.wait_for_service(NODE + "/decompose", timeout=30)
-    return rospy.ServiceProxy(NODE + "/decompose", Decompose)(**request)
+    rospy.wait_for_service(node + "/decompose", timeout=30)
+    return rospy.ServiceProxy(node + "/decompose", Decompose)(**request)
 
 
 def answers():

@@ -151,11 +151,13 @@ class ShapeReader {
     const ColladaElement& array = named("float_array", accessor);
     const std::vector<std::string_view> words = wordsOf(array);
     const std::size_t most = words.size();
-    const std::size_t count = countOf(path_, accessor, "count", 0, most), stride = countOf(path_, accessor, "stride", 1, most);
+    const std::size_t count = countOf(path_, accessor, "count", 0, most);
+    if (count == 0) return;  // an empty geometry, whatever its stride
+    const std::size_t stride = countOf(path_, accessor, "stride", 1, most);
     const std::size_t offset = countOf(path_, accessor, "offset", 0, most);
     const std::array<std::size_t, 3> places = coordinatesOf(accessor);
     const std::size_t last = *std::max_element(places.begin(), places.end());
-    const std::size_t needed = count == 0 ? 0 : offset + (count - 1) * stride + last + 1;
+    const std::size_t needed = offset + (count - 1) * stride + last + 1;
     if (needed > words.size())
       throw Error(ErrorCode::kIndexOutOfRange, path_ + ": line " + std::to_string(accessor.GetLineNum()) + ": <accessor> reads value " +
                                                    std::to_string(needed) + " of the array " + inQuotes(attributeOf(array, "id")) +

@@ -272,8 +272,11 @@ Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid,
   const double gap = kCertificateGap * tolerance;
   Protrusion result = protrusion(hulls, solid, {gap, kCertificateGap, 0}, control);
   const double room = tolerance - margin - result.found;
-  if (result.bound + margin > tolerance && room > kLeastGap * gap)
+  if (result.bound + margin > tolerance && room > kLeastGap * gap && !control.late()) {
+    const double before = result.bound;
     result = protrusion(hulls, solid, {std::min(gap, room / 2), 0, kSpareVisits}, control);
+    result.bound = std::min(result.bound, before);  // time may have ended in between
+  }
   result.bound += margin;
   return result;
 }

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kLooseGap = 16;  // gap of the first passes, in gaps of the last
 constexpr int kGlance = 20;       // halvings
+constexpr double kRough = 0.5;    // of the floor: gap of a search for summits before the last one, where there is a deadline
 // If the search does not converge on a surface, as in the plane of an opening, it keeps the bound after this many halvings.
 constexpr int kMostHalvings = 2'000'000;
 // A bound of no more than kFewGaps gaps is not worth more halvings than this. For certificates, that many are a tenth of the tolerance.
@@ -190,7 +191,15 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   std::vector<std::size_t> all(hulls.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const double enough = search.share > 0 ? kEnough * gap() : gap() / 2;
+  Protrusion rough = worst;  // for when time ends before each hull has been searched closely
+  const bool may_end = control.until() != RunControl::Time::max();
+  if (may_end) Summits(hulls, each, solid, kRough * floor, kRough * floor, control).add(rough, all, 0);
   Summits(hulls, each, solid, gap() / 2, enough, control).add(worst, all, search.spare_visits);
+  if (may_end) {
+    const double bound = std::min(worst.bound, rough.bound);
+    if (rough.found > worst.found) worst = rough;
+    worst.bound = bound;
+  }
   worst.bound += rounding(hulls, solid, control);
   return worst;
 }

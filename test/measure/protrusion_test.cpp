@@ -382,5 +382,18 @@ TEST(Protrusion, ABoundAfterTheDeadline) {
   EXPECT_GT(early.bound - early.found, 1e-3) << "the search went on";
 }
 
+TEST(Protrusion, ADeadlineThatIsFarLoosensNothing) {
+  RunControl far;
+  far.deadline = std::chrono::steady_clock::now() + std::chrono::hours(1);
+  const TriangleMesh flask = test_shapes::flask(), bowl = test_shapes::openBox();
+  for (const TriangleMesh& mesh : {flask, bowl}) {
+    const std::vector<ConvexHull> hulls = {hullOf(mesh)};
+    const Protrusion free = protrusion(hulls, solidOf(mesh), 1e-3), timed = protrusion(hulls, solidOf(mesh), 1e-3, far);
+    EXPECT_LE(timed.bound, free.bound);
+    EXPECT_GE(timed.bound, free.found);
+    EXPECT_GE(timed.found, free.found - 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -45,7 +45,7 @@ endfunction()
 # collision_hulls_generate(ROBOT [CONFIG FILE] [OUTPUT DIR] [TARGET NAME] [PACKAGE_PATH DIR...] [OPTIONS ARG...] [DEPENDS FILE...])
 #
 # Makes the collision model of a .urdf or .xacro file when the project is built: a package in OUTPUT (default <build>/<robot>_collision), by
-# the target TARGET (default <robot>_collision). <robot>: the file's name up to its first dot. ROS does not look into a build folder: install
+# the target TARGET (default <robot>_collision, with "_" for what a target's name cannot hold). <robot>: the file's name up to its first dot. ROS does not look into a build folder: install
 # the package (doc/library.md). It is made again if the description, the configuration, a file in DEPENDS or decompose itself
 # has changed; without DEPENDS, if anything in the source package's folders meshes, urdf and xacro has. Nothing else runs, and meshes that did
 # not change come from the cache. OPTIONS are those of decompose. The package that is built is found by its own name in URIs.
@@ -61,7 +61,7 @@ function(collision_hulls_generate robot)
   get_filename_component(name "${robot}" NAME_WE)
   set(target "${arg_TARGET}")
   if(NOT target)
-    set(target ${name}_collision)
+    string(REGEX REPLACE "[^A-Za-z0-9_.+-]" "_" target "${name}_collision")
   endif()
   set(inputs "${robot_file}")
   set(command "${decompose}" "${robot_file}" --output "${output}" --quiet --package-path "${PROJECT_NAME}=${PROJECT_SOURCE_DIR}")

@@ -14,6 +14,8 @@ install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${INCLUDE_DESTINATION})
 # The modules and the workflow of scripts/batch/batch, which finds them from its own place.
 install(FILES scripts/batch/Snakefile scripts/batch/slurm_status src/web/page/style.css DESTINATION ${SHARE_DESTINATION}/batch)
 install(DIRECTORY scripts/batch/ DESTINATION ${SHARE_DESTINATION}/batch FILES_MATCHING PATTERN "*.py" PATTERN "page.*")
+install(FILES LICENSE scripts/completion.bash DESTINATION ${SHARE_DESTINATION})
+install(DIRECTORY meshes schema urdf DESTINATION ${SHARE_DESTINATION} PATTERN source EXCLUDE)
 install(FILES scripts/charts.py DESTINATION ${PROGRAM_DESTINATION})  # beside the scripts that import it, as ros_session.py below
 if(NOT COLLISION_HULLS_ROS)
   install(PROGRAMS scripts/batch/batch scripts/benchmark_charts scripts/physics_charts scripts/plan_charts scripts/scene_charts scripts/stability_charts
@@ -22,8 +24,7 @@ if(NOT COLLISION_HULLS_ROS)
   return()
 endif()
 
-install(FILES scripts/completion.bash DESTINATION ${SHARE_DESTINATION})
-install(DIRECTORY launch meshes rviz schema urdf DESTINATION ${SHARE_DESTINATION} PATTERN source EXCLUDE)
+install(DIRECTORY launch rviz DESTINATION ${SHARE_DESTINATION})
 catkin_install_python(PROGRAMS scripts/batch/batch scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/plan_charts scripts/preview_latency scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
   scripts/stability_charts
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -39,6 +39,7 @@ room_sources(CORE_SOURCES ${CORE_ROOMS})
 add_library(${PROJECT_NAME}_core ${CORE_SOURCES})
 set_up_library(${PROJECT_NAME}_core)
 target_include_directories(${PROJECT_NAME}_core PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+target_compile_features(${PROJECT_NAME}_core PUBLIC cxx_std_17)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC Eigen3::Eigen
   PRIVATE found::qhull_r found::tbb nlohmann_json::nlohmann_json Threads::Threads ${CMAKE_DL_LIBS})

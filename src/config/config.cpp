@@ -122,7 +122,7 @@ void apply(const Config& config, Options& options) {
 }
 
 std::string configText(const Options& options) {
-  return "# The settings of the run that wrote it, for the --config of the same program.\ndefault: " + yamlDefaults(options) +
+  return "# Settings of the run that wrote this file; pass it to --config to repeat the run.\ndefault: " + yamlDefaults(options) +
          "\nonly: " + quoted(options.links.empty() ? ".*" : options.links) + "\n" +
          section("links", options.rules, [](const LinkRule& rule) { return quoted(rule.pattern) + ": " + yaml(rule.settings); }) +
          regionsText(options.region_rules) +

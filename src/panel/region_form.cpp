@@ -127,9 +127,9 @@ void RegionForm::addNumbers() {
   place(name_, 1, 0);
   grid->addWidget(clear_, 1, 3);
   place(tolerance_, 1, 4);
-  center_ = addLine("Middle", "region_center", "x, y and z in the link's frame [m]", readCenter);
+  center_ = addLine("Center", "region_center", "x, y and z in the link's frame [m]", readCenter);
   size_ = addLine("Size", "region_size", "Along the box's own axes [m]", readSize);
-  rpy_ = addLine("Turned", "region_rpy", "Roll, pitch and yaw [rad], as in URDF", readRpy);
+  rpy_ = addLine("Rotation", "region_rpy", "Roll, pitch and yaw [rad], as in URDF", readRpy);
   normal_ = addLine("Normal", "region_normal", "Points into the region, in the link's frame", readNormal);
   offset_ = addLine("Offset", "region_offset", "Of the plane along the normal [m]", readOffset);
   int column = 0;

@@ -167,7 +167,7 @@ std::string expandXacro(const std::string& path, const std::vector<std::string>&
   const std::optional<ProgramResult> xacro = runXacro(path, {}, package_path, control);
   if (!xacro) {
     throw Error(ErrorCode::kXacroMissing,
-                "'" + path + "' is a xacro file, but there is no program 'xacro' on PATH: install it " +
+                "'" + path + "' is a xacro file, but 'xacro' is not on PATH: install it " +
                     "(ROS package xacro; on Debian build the branch noetic-devel of https://github.com/ros/xacro, and " +
                     "https://github.com/ros/roslint, in your workspace) and source your workspace's setup.bash, " +
                     "or run 'xacro FILE.xacro > FILE.urdf' on a machine that has it, and give the .urdf");

@@ -69,7 +69,7 @@ class Spinner {
 
 /// Until a signal or ROS ends it, or a master has forgotten it. Returns the exit status.
 int serve() {
-  if (geteuid() == 0) ROS_WARN("running as root, who may read and write every file of this machine: start it as an ordinary user");
+  if (geteuid() == 0) ROS_WARN("running as root, which can read and write every file on this machine; run it as an ordinary user");
   Spinner spinner;
   collision_hulls::MasterWatch watch;
   collision_hulls::Node node;
@@ -80,7 +80,8 @@ int serve() {
     forgotten = watch.forgotten() && node.idle();
   }
   if (forgotten) {
-    ROS_ERROR("the master was restarted and does not know this node: it ends and has to be started again, as decompose.launch does");
+    ROS_ERROR(
+        "the master was restarted and does not know this node, which now shuts down; start it again (decompose.launch does so by itself)");
     watch.restore();
   }
   ros::master::setRetryTimeout(ros::WallDuration(2));  // a job that would tell a lost master does not wait for it

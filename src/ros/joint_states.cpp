@@ -114,7 +114,7 @@ void expectJointStates(const std::string& topic) {
   const std::optional<std::string> type = typeOfTopic(topic);
   if (!type)
     throw Error(ErrorCode::kBadOption,
-                "configurations '" + topic + "' is published by nobody; start its node, or give the full name (see 'rostopic list')");
+                "configurations '" + topic + "' has no publisher; start its node, or give the full name (see 'rostopic list')");
   if (*type != kType) throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' is a " + *type + "; give a topic of " + kType);
 }
 

@@ -73,7 +73,7 @@ std::map<std::string, Kind> topicKinds() {
 
 Scene readTopic(const std::string& name, const std::string& root_link, const RunControl& control) {
   const std::optional<std::string> type = typeOfTopic(name);
-  if (!type) fail(kTopicPrefix + name, "is published by nobody; start its node, or give the full name (see 'rostopic list')");
+  if (!type) fail(kTopicPrefix + name, "has no publisher; start its node, or give the full name (see 'rostopic list')");
   const std::map<std::string, Kind> kinds = topicKinds();
   const auto kind = kinds.find(*type);
   if (kind == kinds.end()) fail(kTopicPrefix + name, "is a " + *type + "; give a moveit_msgs/PlanningScene or an octomap_msgs/Octomap");

@@ -211,7 +211,7 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
     throw Error(ErrorCode::kFileNotFound,
                 "no robot description: the request has none, and the parameter " +
                     (has_parameter ? key + " is empty" : node_.resolveName("robot_description") + " is not set to a text") +
-                    "; give either");
+                    "; give one or the other");
   }
   refusePath(parameter, "set the parameter to the text of the URDF, as <param name=\"robot_description\" textfile=\"...\"/> does");
   if (!base.empty()) return parseRobotDescription(parameter, base, control);

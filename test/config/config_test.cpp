@@ -36,7 +36,7 @@ TEST(ApplyConfig, OnlyNamesItsPlace) {
 
 TEST(ConfigText, SpellsOutTheDefaults) {
   EXPECT_EQ(configText({}),
-            "# The settings of the run that wrote it, for the --config of the same program.\n"
+            "# Settings of the run that wrote this file; pass it to --config to repeat the run.\n"
             "default: {tolerance: \"1cm,5%\", method: certified, effort: quick, fill: false, max_hulls: 0, max_vertices: 64, source: auto, "
             "padding: 0, close_openings: 0, shapes: hulls, "
             "tree: none}\n"

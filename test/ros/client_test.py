@@ -113,7 +113,7 @@ class ClientTest(unittest.TestCase):
             if shutil.which("xacro") is None:
                 status, out, err = self.run_client(self.folder.file("robot.xacro"), "-o", self.folder.output)
                 self.assertEqual((2, ""), (status, out))
-                self.assertIn("robot.xacro' is a xacro file, but there is no program 'xacro' on PATH", err)
+                self.assertIn("robot.xacro' is a xacro file, but 'xacro' is not on PATH", err)
         with open(self.folder.file("xacro"), "w", encoding="utf-8") as file:
             file.write("#!/bin/sh\nsed 's/<VISUAL>/<visual>/g' \"$1\"\n")
         os.chmod(self.folder.file("xacro"), 0o755)

@@ -247,7 +247,7 @@ class DoorsTest(unittest.TestCase):
         self.assertIsNone(node.poll(), "without a master it waits")
         self.start_master(port)
         self.assertEqual(1, node.wait(30))
-        self.assertIn("has to be started again", self.said())
+        self.assertIn("start it again", self.said())
         self.assertFalse(parameters.hasParam(NODE + "/robot_description"))
         self.assertEqual(("3mm", "rubbish"), (parameters.getParam(NODE + "/tolerance"), parameters.getParam("/robot_description")))
 

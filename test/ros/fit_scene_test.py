@@ -84,7 +84,7 @@ class FitSceneTest(unittest.TestCase):
         self.assert_refused("samples", samples=-1)
 
     def test_scene_that_nobody_publishes(self):
-        self.assert_refused("published by nobody", scene="topic:/nowhere")
+        self.assert_refused("has no publisher", scene="topic:/nowhere")
 
     def test_scene_of_another_type(self):
         publisher = rospy.Publisher("/said", String, queue_size=1)
@@ -137,7 +137,7 @@ class FitSceneTest(unittest.TestCase):
         self.assert_refused("did not answer within 10 s", scene="service:/silent_planning_scene")
 
     def test_configurations_that_nobody_publishes(self):
-        self.assert_refused("published by nobody", configurations="topic:/nowhere")
+        self.assert_refused("has no publisher", configurations="topic:/nowhere")
 
     def test_configurations_of_a_bag_that_is_not_there(self):
         self.assert_refused("nowhere.bag", configurations=self.folder.file("nowhere.bag"))

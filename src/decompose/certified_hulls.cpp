@@ -273,9 +273,11 @@ Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid,
   Protrusion result = protrusion(hulls, solid, {gap, kCertificateGap, 0}, control);
   const double room = tolerance - margin - result.found;
   if (result.bound + margin > tolerance && room > kLeastGap * gap && !control.late()) {
-    const double before = result.bound;
-    result = protrusion(hulls, solid, {std::min(gap, room / 2), 0, kSpareVisits}, control);
-    result.bound = std::min(result.bound, before);  // time may have ended in between
+    // What is nearer than half of the room does not matter: to come closer would take most of the time.
+    const Protrusion again = protrusion(hulls, solid, {std::min(gap, room / 4), 0, kSpareVisits, result.found + room / 2}, control);
+    const double bound = std::min(result.bound, std::max(result.found, again.bound));  // time may have ended in between
+    if (again.found > result.found) result = again;
+    result.bound = bound;
   }
   result.bound += margin;
   return result;

@@ -25,7 +25,7 @@ function(add_room_tests room)
   add_unit_tests(${room}_test ${sources})
   target_include_directories(${room}_test PRIVATE test src)
   set(library ${PROJECT_NAME}_bench command_line)
-  if(room IN_LIST CORE_ROOMS)
+  if(room IN_LIST CORE_ROOMS AND NOT COLLISION_HULLS_UNITY)  # files joined need what any of them does
     set(library ${PROJECT_NAME}_core)  # what a room's tests link is what has to be built to run them
   endif()
   add_dependencies(${room}_test ${PROJECT_NAME}_reader)

@@ -117,17 +117,24 @@ std::string argumentWithoutValue(const ProgramResult& xacro) {
   return restOfLine(xacro.errors, "Undefined substitution argument ");
 }
 
-/// All arguments without values: xacro names one at a time.
-std::vector<std::string> argumentsWithoutValue(const std::string& path, const ProgramResult& first,
-                                               const std::vector<std::string>& package_path, const RunControl& control) {
+struct MissingArguments {
   std::vector<std::string> names;
+  bool are_all = true;
+};
+
+/// The arguments without values: xacro names one at a time. With 0 for those, it may fail before it comes to the next.
+MissingArguments argumentsWithoutValue(const std::string& path, const ProgramResult& first, const std::vector<std::string>& package_path,
+                                       const RunControl& control) {
+  MissingArguments missing;
+  std::vector<std::string>& names = missing.names;
   std::string next = argumentWithoutValue(first);
   while (!next.empty() && names.size() < kMostArguments && std::find(names.begin(), names.end(), next) == names.end()) {
     names.push_back(next);
     const std::optional<ProgramResult> xacro = runXacro(path, names, package_path, control);
-    next = xacro && xacro->status != 0 ? argumentWithoutValue(*xacro) : "";
+    missing.are_all = xacro && xacro->status == 0;
+    next = missing.are_all || !xacro ? "" : argumentWithoutValue(*xacro);
   }
-  return names;
+  return missing;
 }
 
 /// The error of a file that xacro did not expand, and what helps against it.
@@ -140,14 +147,16 @@ std::vector<std::string> argumentsWithoutValue(const std::string& path, const Pr
                                                  "' includes, was not found: install it and source its workspace, or give its folder, " +
                                                  "or the one above, with --package-path DIR");
   }
-  const std::vector<std::string> arguments = argumentsWithoutValue(path, xacro, package_path, control);
+  const MissingArguments missing = argumentsWithoutValue(path, xacro, package_path, control);
+  const std::vector<std::string>& arguments = missing.names;
+  const std::string more = missing.are_all ? "" : " (xacro may ask for more once it has values for these)";
   if (arguments.size() == 1) {
     throw Error(ErrorCode::kNotARobot, "'" + path + "' needs a value for the argument '" + arguments.front() + "', which '" + source +
-                                           "' uses and which has no default: " + runWith(arguments, path));
+                                           "' uses and which has no default" + more + ": " + runWith(arguments, path));
   }
   if (!arguments.empty()) {
     throw Error(ErrorCode::kNotARobot, "'" + path + "' needs values for the arguments '" + listed(arguments, "', '") +
-                                           "', which have no defaults: " + runWith(arguments, path));
+                                           "', which have no defaults" + more + ": " + runWith(arguments, path));
   }
   if (xacro.errors.find("xacro:arg: missing attribute 'default'") != std::string::npos) {
     const std::string name = argumentWithoutDefault(source, control);

@@ -24,7 +24,7 @@ class Scanner {
   XmlOutline run() {
     while (skipCharacters()) markup();
     if (!open_.empty()) fail(elements_[open_.back()].begin, "<" + std::string(elements_[open_.back()].name) + "> is never closed");
-    if (elements_.empty()) fail(0, "there is no element");
+    if (elements_.empty()) fail(0, text_.find('<') == std::string_view::npos ? "it is empty" : "there is no element");
     return {std::move(elements_), std::move(instructions_)};
   }
 

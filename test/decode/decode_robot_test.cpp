@@ -30,7 +30,7 @@ void expectRefused(ErrorCode code, const std::vector<std::string>& parts, const 
 }
 
 TEST(ParseDescription, RefusesWhatIsNotXml) {
-  expectRefused(ErrorCode::kNotXml, {"'a.urdf'", "no element"}, "");
+  expectRefused(ErrorCode::kNotXml, {"'a.urdf'", "it is empty"}, "");
   expectRefused(ErrorCode::kNotXml, {"line 2", "outside the root"}, "\nsolid cube");
   expectRefused(ErrorCode::kNotXml, {"line 3", "</robot>", "<link> of line 2"}, "<robot name='r'>\n<link name='a'>\n</robot>");
   expectRefused(ErrorCode::kNotXml, {"line 1", "zero byte"}, std::string("<robot\0/>", 9));

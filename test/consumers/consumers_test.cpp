@@ -349,6 +349,15 @@ TEST_F(Consumers, MujocoHasNoJointThatCannotMove) {
   EXPECT_NE(notesOf(Consumer::kMujoco, urdf).find("joints whose range is nothing ('ab') are fixed"), std::string::npos);
 }
 
+TEST_F(Consumers, MujocoBeginsOutOfRangeWithANote) {
+  std::string urdf = threeLinks(cube());
+  const std::string said = "MuJoCo begins with all joints at 0, which is out of range for some ('ab')";
+  EXPECT_EQ(notesOf(Consumer::kMujoco, urdf).find("out of range"), std::string::npos);
+  const std::string limits = "lower=\"-1\" upper=\"1\"";
+  urdf.replace(urdf.find(limits), limits.size(), "lower=\"0.5\" upper=\"1\"");
+  EXPECT_NE(notesOf(Consumer::kMujoco, urdf).find(said), std::string::npos) << notesOf(Consumer::kMujoco, urdf);
+}
+
 TEST_F(Consumers, ARobotWithoutANameHasThatOfItsFile) {
   std::string urdf = threeLinks(cube());
   urdf.replace(urdf.find("\"three\""), 7, "\"\"");

@@ -97,7 +97,8 @@ RegionBox firstBox(const Eigen::AlignedBox3d& around) {
   if (around.isEmpty()) return box;
   box.size = rounded(around.sizes(), kRound).cwiseMax(kLeastSide);
   box.size.z() = std::max(kLeastSide, std::round(box.size.z() / 2 / kRound) * kRound);
-  box.center = rounded(around.center() + around.sizes().z() / 4 * Eigen::Vector3d::UnitZ(), kRound);
+  box.center = rounded(around.center(), kRound);
+  box.center.z() = std::ceil(around.max().z() / kRound) * kRound + box.size.z() / 2;
   return box;
 }
 

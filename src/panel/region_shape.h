@@ -34,8 +34,8 @@ RegionShape dragged(const RegionShape& shape, const RegionHandle& handle, const 
 /// [m] The edge of what is drawn: the longest of a box, or of the piece of a plane that is drawn for a half-space.
 double drawnSize(const RegionShape& shape, const Eigen::AlignedBox3d& around);
 
-/// A first region, for the user to move: a box as large as the upper half of the link's bodies, or what is below them. 10 cm about the
-/// origin where there are none.
+/// A first region, for the user to move: a box half as high as the link's bodies that stands on them, or what is below them. Neither meets
+/// them, so nothing has to be divided until the user moves it. 10 cm about the origin where there are none.
 RegionBox firstBox(const Eigen::AlignedBox3d& around);
 RegionHalfSpace firstHalfSpace(const Eigen::AlignedBox3d& around);
 

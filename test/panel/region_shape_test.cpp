@@ -116,10 +116,10 @@ TEST(RegionShape, AHalfSpaceTiltsAboutTheMiddleOfTheLink) {
   EXPECT_NEAR(std::cos(0.3), -after.normal.z(), 1e-4);
 }
 
-TEST(RegionShape, ANewBoxIsTheUpperHalfOfTheLink) {
+TEST(RegionShape, ANewBoxStandsOnTheLink) {
   const RegionBox first = firstBox(around({-0.1, -0.2, 0}, {0.1, 0.2, 0.4}));
   EXPECT_TRUE(first.size.isApprox(Vector(0.2, 0.4, 0.2)));
-  EXPECT_TRUE(first.center.isApprox(Vector(0, 0, 0.3)));
+  EXPECT_TRUE(first.center.isApprox(Vector(0, 0, 0.5)));
   EXPECT_TRUE(firstBox({}).size.isApprox(Vector(0.1, 0.1, 0.1)));
   EXPECT_GT(firstBox(around({0, 0, 0}, {1, 1, 0})).size.z(), 0) << "of a flat link";
 }

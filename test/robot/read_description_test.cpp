@@ -108,10 +108,11 @@ TEST(ReadDescription, XacroLacksSeveralArguments) {
   const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
   folder.write("urdf/here", "");
   const std::string file = folder.write("arm.xacro", kUrdf);
-  expectError(ErrorCode::kNotARobot,
-              {"needs values for the arguments 'side', 'prefix', which have no defaults (xacro may ask for more once it has values for these)",
-               "\n  xacro " + file + " side:=VALUE prefix:=VALUE > " + folder.path("arm.urdf") + "\n"},
-              [&] { readRobotDescription(folder.path("urdf") + "/../arm.xacro"); });
+  expectError(
+      ErrorCode::kNotARobot,
+      {"needs values for the arguments 'side', 'prefix', which have no defaults (xacro may ask for more once it has values for these)",
+       "\n  xacro " + file + " side:=VALUE prefix:=VALUE > " + folder.path("arm.urdf") + "\n"},
+      [&] { readRobotDescription(folder.path("urdf") + "/../arm.xacro"); });
 }
 
 // xacro appends a blank where the argument stands in a property.

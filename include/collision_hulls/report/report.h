@@ -123,7 +123,8 @@ std::string toTable(const Report& report);
 /// A line for each failed row; a single one for all rows that miss the same package.
 std::vector<std::string> failures(const Report& report);
 
-/// The first degraded row and its reason, with how many more there are, as a line with its end; empty: there is none.
+/// The first degraded row and its reason, with how many more there are, as a line with its end;
+/// empty: there is none.
 std::string degradedLine(const Report& report);
 
 bool anyFailed(const Report& report);

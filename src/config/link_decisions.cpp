@@ -109,6 +109,11 @@ std::string firstSetting(const LinkSettings& settings) {
   return first;
 }
 
+bool mayContradictShapes(const LinkSettings& settings) {
+  return settings.method.value_or(Method::kCertified) != Method::kCertified || settings.shapes.value_or(Shapes::kHulls) != Shapes::kHulls ||
+         settings.fill.value_or(false) || settings.padding.value_or(0) > 0;
+}
+
 /// The options of one link while the rules are applied to it.
 class Decision {
  public:
@@ -118,7 +123,7 @@ class Decision {
     collision_hulls::apply(rule.settings, options_);
     if (rule.settings.action) action_place_ = rule.place;
     if (rule.settings.method) method_place_ = rule.place;
-    if (rule.settings.method || rule.settings.shapes || rule.settings.fill || rule.settings.padding) shapes_place_ = rule.place;
+    if (mayContradictShapes(rule.settings)) shapes_place_ = rule.place;
     const std::string setting = firstSetting(rule.settings);
     if (options_.action != Action::kDecompose && !setting.empty())
       refuse(rule, setting, std::string(options_.action == Action::kKeep ? "is kept" : "is removed") + " by " + action_place_,

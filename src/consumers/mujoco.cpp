@@ -191,9 +191,8 @@ std::vector<std::string> mujocoNotes(const WrittenModel& model) {
   if (!locked.empty()) notes.push_back("--for mujoco: joints whose range is nothing (" + locked + ") are fixed, as MuJoCo refuses them");
   const std::string out_of_range = jointsThat(model, [](const auto& joint) { return moves(joint) && restValue(joint) != 0; });
   if (!out_of_range.empty())
-    notes.push_back(
-        "--for mujoco: MuJoCo begins with all joints at 0, which is out of range for some (" + out_of_range +
-        "): set their qpos before the first step. The file has no keyframe, as MuJoCo refuses one in a scene with other bodies");
+    notes.push_back("--for mujoco: out of range where MuJoCo starts, with all joints at 0: " + out_of_range +
+                    "; set their qpos first. No keyframe is written, as MuJoCo rejects one once other bodies are added");
   noteLeftOut(model, "mujoco", notes);
   return notes;
 }

@@ -43,16 +43,13 @@ Eigen::Isometry3d originOf(const XmlNode* node) {
   return origin;
 }
 
-/// Moments that a body may have: all positive, and none larger than the sum of the others. That of a flat plate is as large, and would pass
-/// for larger by rounding, so it is made less by kFlat. Where moments are impossible, their mean stands for all three, as MuJoCo's
+/// Moments that a body may have: all positive, and none larger than the sum of the others. A flat plate's largest is as large as that, or
+/// larger by rounding, so all of its moments grow a little. Where moments are impossible, their mean stands for all three, as MuJoCo's
 /// balanceinertia has it; simulators refuse other tensors.
-Eigen::Vector3d balanced(Eigen::Vector3d moments) {
-  Eigen::Index largest = 0;
-  const double most = moments.maxCoeff(&largest), others = moments.sum() - most;
-  if (moments.minCoeff() > 0 && most <= (1 + kFlat) * others) {
-    moments[largest] = std::min(most, (1 - kFlat) * others);
-    return moments;
-  }
+Eigen::Vector3d balanced(const Eigen::Vector3d& moments) {
+  const double most = moments.maxCoeff(), others = moments.sum() - most;
+  if (moments.minCoeff() > 0 && most < others) return moments;
+  if (moments.minCoeff() > 0 && most <= (1 + kFlat) * others) return moments + Eigen::Vector3d::Constant(2 * kFlat * most);
   return Eigen::Vector3d::Constant(std::max(kLeastMoment, moments.sum() / 3));
 }
 
@@ -111,7 +108,7 @@ void WrittenModel::readDynamics(const XmlNode& robot) {
     if (!(inertial.mass > 0)) continue;
     const std::string name = link->attribute("name");
     inertials_[name] = inertial;
-    if (!moments.isApprox(inertial.moments, 2 * kFlat) && ++changed == 1)
+    if (!moments.isApprox(inertial.moments, 4 * kFlat) && ++changed == 1)
       notes_.push_back("link '" + name + "': moments of inertia of " + figures(moments) +
                        " are impossible (one is not positive, or larger than the sum of the others); the files of --for use their mean "
                        "instead, but at least 1e-9");

@@ -147,7 +147,7 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   result.nudge = rounded.nudge;
   result.untried = parts.untried;
   const auto is_loose = [&](double bound, double found, double tolerance) {
-    return bound - mesh.margin - found > kCertificateGap * std::max(tolerance, found);
+    return bound > tolerance && bound - mesh.margin - found > kCertificateGap * std::max(tolerance, found);
   };
   bool loose = is_loose(proof.bound, proof.found, limit(options));
   for (std::size_t i = 0; i < result.regions.size(); ++i)
@@ -275,9 +275,9 @@ Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid,
   if (result.bound + margin > tolerance && room > kLeastGap * gap && !control.late()) {
     // What is nearer than half of the room does not matter: to come closer would take most of the time.
     const Protrusion again = protrusion(hulls, solid, {std::min(gap, room / 4), 0, kSpareVisits, result.found + room / 2}, control);
-    const double bound = std::min(result.bound, std::max(result.found, again.bound));  // time may have ended in between
+    const double bound = std::min(result.bound, again.bound);  // time may have ended in between
     if (again.found > result.found) result = again;
-    result.bound = bound;
+    result.bound = std::max(bound, result.found);
   }
   result.bound += margin;
   return result;

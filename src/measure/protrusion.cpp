@@ -190,15 +190,16 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   for (const Protrusion& p : each) takeWorse(worst, p);
   std::vector<std::size_t> all(hulls.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const double enough = search.share > 0 ? kEnough * gap() : gap() / 2;
+  const double enough = std::max(search.floor, search.share > 0 ? kEnough * gap() : gap() / 2);
+  const double wide = kRough * floor;
   Protrusion rough = worst;  // for when time ends before each hull has been searched closely
-  const bool may_end = control.until() != RunControl::Time::max();
-  if (may_end) Summits(hulls, each, solid, kRough * floor, kRough * floor, control).add(rough, all, 0);
+  const bool may_end = control.until() != RunControl::Time::max() && search.floor == 0 && wide > gap() / 2;
+  if (may_end) Summits(hulls, each, solid, wide, wide, control).add(rough, all, 0);
   Summits(hulls, each, solid, gap() / 2, enough, control).add(worst, all, search.spare_visits);
   if (may_end) {
     const double bound = std::min(worst.bound, rough.bound);
     if (rough.found > worst.found) worst = rough;
-    worst.bound = bound;
+    worst.bound = std::max(bound, worst.found);
   }
   worst.bound += rounding(hulls, solid, control);
   return worst;

@@ -253,7 +253,8 @@ void noteVertexLimit(Report& report) {
 }
 
 /// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Closing a
-/// body that has most of its inside already changes little, and wider openings than the option takes stay open.
+/// body that has most of its inside already, as those with small openings do, changes little, and wider openings than the option takes stay
+/// open.
 void noteOpenShells(Report& report) {
   const auto is_open = [](const ElementReport& row) {
     return followsTolerance(row) && row.openings > 0 && row.widest_opening <= kLargestTolerance && row.hulls >= kHullsOfShell &&

@@ -263,13 +263,13 @@ std::string line(const std::string& package, const Missing& missing) {
 }  // namespace
 
 /// The others are of its kind, and in the report.
-std::string degradedLine(const Report& report) {
+std::string degradedLine(const Report& report, const std::string& where) {
   const auto degraded = [](const ElementReport& row) { return row.status == Status::kDegraded; };
   const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);
   if (row == report.links.end()) return "";
   const auto others = static_cast<std::size_t>(std::count_if(row + 1, report.links.end(), degraded));
   return "degraded: " + row->link + ", " + fileOf(*row) + ": " + row->reason +
-         (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
+         (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see " + where + ")" : "") + "\n";
 }
 
 std::string toTable(const Report& report) {

@@ -126,8 +126,10 @@ std::string summary(const std::string& robot, const Report& report) {
   const RunTotals sums = toTotals(report);
   std::string text;
   for (const std::string& failure : failures(report)) text += failure + "\n";
-  text += degradedLine(report) + "robot '" + robot + "': ";
-  if (sums.failed > 0 && sums.failed == sums.meshes) return inNodeWords(text + "no mesh could be decomposed");
+  text += degradedLine(report, "the table") + "robot '" + robot + "': ";
+  if (sums.failed > 0 && sums.failed == sums.meshes)
+    return inNodeWords(text + (sums.failed == 1 ? "its mesh could not" : "none of its " + std::to_string(sums.failed) + " meshes could") +
+                       " be decomposed");
   text += bodiesOf(report) + " for " + counted(sums.meshes - sums.failed, "mesh", "meshes");
   if (sums.degraded > 0) text += ", " + std::to_string(sums.degraded) + " degraded";
   if (sums.failed > 0) text += ", " + std::to_string(sums.failed) + " failed";

@@ -186,7 +186,7 @@ Input Node::inputOf(const std::string& robot_description, const std::string& bas
 template <typename Request>
 std::string Node::outputFor(const Request& request, const Input& input, const RunControl& control) const {
   std::string wanted = request.output.empty() ? textParameter(private_, "output") : request.output;
-  if (wanted.empty()) wanted = (std::filesystem::path(ros::this_node::getNamespace()).relative_path() / defaultOutput(input)).string();
+  if (wanted.empty()) wanted = (std::filesystem::path(NodePlaces::namespaceFolder()) / defaultOutput(input)).string();
   const std::string output = places_.output(wanted);
   const auto earlier = written_.find(output);
   if (request.output.empty() && !request.robot_description.empty() && earlier != written_.end() && earlier->second != input.robot.name)

@@ -2,6 +2,7 @@
 #include "places.h"
 
 #include <ros/package.h>
+#include <ros/this_node.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include "parameters.h"
 #include "robot/package_crawl.h"
 #include "robot/package_place.h"
+#include "robot/uri_checks.h"
 
 namespace fs = std::filesystem;
 
@@ -47,7 +49,20 @@ std::string packageAround(const std::string& folder) {
   return folder;
 }
 
+/// A package that nodes wrote right below a folder; nullopt: there is none. Links are not followed.
+std::optional<std::string> writtenPackage(const fs::path& folder, const std::string& name) {
+  const fs::path place = folder / name;
+  std::error_code error;
+  if (!isPackageName(name) || !fs::is_directory(fs::symlink_status(place, error))) return std::nullopt;
+  const std::optional<PackageFolder> package = packageAt(place);
+  return package && package->name == name ? std::optional(place.string()) : std::nullopt;
+}
+
 }  // namespace
+
+std::string NodePlaces::namespaceFolder() {
+  return fs::path(ros::this_node::getNamespace()).relative_path().string();
+}
 
 NodePlaces::NodePlaces(const ros::NodeHandle& node)
     : output_root_(textParameter(node, "output_root")),
@@ -65,14 +80,15 @@ PackageFinder NodePlaces::packageFinder(const std::string& near) const {
     std::mutex mutex;
     std::map<std::string, std::optional<std::string>> known;
   };
-  std::vector<std::string> path = package_path_;
-  if (std::error_code error; fs::is_directory(output_root_, error)) path.push_back(output_root_);  // what nodes wrote are packages
-  return defaultPackageFinder(near, path).askingFirst([answers = std::make_shared<Answers>()](const std::string& package) {
-    const std::lock_guard<std::mutex> lock(answers->mutex);
-    const auto [answer, is_new] = answers->known.try_emplace(package);
-    if (is_new) answer->second = rosPackage(package);  // which crawls all packages where it finds none
-    return answer->second;
-  });
+  const std::vector<std::string> folders = {(fs::path(output_root_) / namespaceFolder()).string(), output_root_};
+  return defaultPackageFinder(near, package_path_)
+      .askingFirst([answers = std::make_shared<Answers>(), folders](const std::string& package) {
+        const std::lock_guard<std::mutex> lock(answers->mutex);
+        const auto [answer, is_new] = answers->known.try_emplace(package);
+        if (is_new) answer->second = rosPackage(package);  // which crawls all packages where it finds none
+        for (std::size_t i = 0; is_new && !answer->second && i < folders.size(); ++i) answer->second = writtenPackage(folders[i], package);
+        return answer->second;
+      });
 }
 
 /// Empty without a description's file, and where that is missing.

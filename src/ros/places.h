@@ -18,7 +18,11 @@ class NodePlaces {
   /// Throws kBadOption for a value of the wrong type.
   explicit NodePlaces(const ros::NodeHandle& node);
 
-  /// Asks ROS for a package first, then looks near a description and in ~package_path. Throws kBadOption for a folder there that is none.
+  /// Where nodes of this node's namespace write by default, below ~output_root; empty: right there.
+  static std::string namespaceFolder();
+
+  /// Asks ROS for a package first, then looks for one that nodes wrote, then near a description and in ~package_path. Throws kBadOption for
+  /// a folder there that is none.
   PackageFinder packageFinder(const std::string& near) const;
 
   const std::vector<std::string>& packagePath() const { return package_path_; }

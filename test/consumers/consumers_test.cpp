@@ -351,7 +351,7 @@ TEST_F(Consumers, MujocoHasNoJointThatCannotMove) {
 
 TEST_F(Consumers, MujocoBeginsOutOfRangeWithANote) {
   std::string urdf = threeLinks(cube());
-  const std::string said = "MuJoCo begins with all joints at 0, which is out of range for some ('ab')";
+  const std::string said = "out of range where MuJoCo starts, with all joints at 0: 'ab'; set their qpos first";
   EXPECT_EQ(notesOf(Consumer::kMujoco, urdf).find("out of range"), std::string::npos);
   const std::string limits = "lower=\"-1\" upper=\"1\"";
   urdf.replace(urdf.find(limits), limits.size(), "lower=\"0.5\" upper=\"1\"");

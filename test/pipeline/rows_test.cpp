@@ -223,8 +223,10 @@ TEST(PutTogether, NotesMeshesOfManyLooseParts) {
 }
 
 TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
-  const auto notes = [](std::size_t openings, std::size_t hulls, std::size_t uses, double volume = 0.24, double width = 0.1234) {
+  const auto notes = [](std::size_t openings, std::size_t hulls, std::size_t uses, double volume = 0.24, double width = 0.1234,
+                        double diagonal = 10) {
     MeshResult mesh = boxes(hulls);
+    mesh.mesh.diagonal = diagonal;
     mesh.mesh.openings = openings;
     mesh.mesh.widest_opening = width;
     mesh.model.hull_volume = 1;
@@ -236,6 +238,8 @@ TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
   EXPECT_TRUE(notes(0, 30, 1).empty());
   EXPECT_TRUE(notes(2, 7, 1).empty()) << "they cost little";
   EXPECT_TRUE(notes(2, 30, 1, 0.26).empty()) << "it has its inside already";
+  EXPECT_EQ(notes(2, 30, 1, 0.26, 0.21, 1).size(), 1u) << "with openings so wide it hardly has an inside";
+  EXPECT_TRUE(notes(2, 30, 1, 0.26, 0.19, 1).empty());
   EXPECT_TRUE(notes(2, 30, 1, 0, 1.01).empty()) << "the option takes no more than 1 m";
   EXPECT_EQ(notes(2, 30, 1, 0, 0.991).size(), 1u);
   EXPECT_EQ(notes(2, 8, 1), (std::vector<std::string>{"'a.stl' has 2 openings and took 8 hulls: if it is the skin of a solid, "

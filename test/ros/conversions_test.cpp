@@ -29,7 +29,9 @@ TEST(Summary, SaysThatNoneSucceeded) {
   report.links[0].uri = "hand.stl";
   report.links[0].status = Status::kFailed;
   report.links[0].reason = "no such file";
-  EXPECT_EQ("link hand: hand.stl: no such file\nrobot 'arm': no mesh could be decomposed", summary("arm", report));
+  EXPECT_EQ("link hand: hand.stl: no such file\nrobot 'arm': its mesh could not be decomposed", summary("arm", report));
+  report.links.push_back(report.links[0]);
+  EXPECT_NE(summary("arm", report).find("\nrobot 'arm': none of its 2 meshes could be decomposed"), std::string::npos);
 }
 
 TEST(Summary, SaysWhatIsBeyondTheTolerance) {
@@ -44,7 +46,7 @@ TEST(Summary, SaysWhatIsBeyondTheTolerance) {
     row.reason = "too few hulls";
   }
   EXPECT_EQ(
-      "degraded: hand, hand.stl: too few hulls (1 more mesh: see report.json)\n"
+      "degraded: hand, hand.stl: too few hulls (1 more mesh: see the table)\n"
       "robot 'arm': 2 hulls for 2 meshes, 2 degraded; largest protrusion 20.0 mm (hand)",
       summary("arm", report));
 }

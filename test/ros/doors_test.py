@@ -103,6 +103,11 @@ class DoorsTest(unittest.TestCase):
             self.start_confined(f"__ns:=/{side}")
             place = os.path.join(self.folder.results, side, "small_collision")
             self.assert_done(self.decompose(uri, node=f"/{side}{NODE}"), place)
+            if side == "left":
+                shutil.rmtree(os.path.join(place, "meshes"))  # so that the right one's hulls can only be its own
+        description = pathlib.Path(place, "urdf/small.urdf").read_text(encoding="utf-8")
+        hull = re.search(r"package://small_collision/[^\"']*", description).group()
+        self.assert_done(self.decompose(hull, "again", node=f"/right{NODE}"), os.path.join(self.folder.results, "again"))
 
     def test_another_robot_does_not_replace_the_node_s_own_model(self):
         self.start_confined("_output:=" + self.folder.file("shut/made"))

@@ -123,9 +123,9 @@ std::string toTable(const Report& report);
 /// A line for each failed row; a single one for all rows that miss the same package.
 std::vector<std::string> failures(const Report& report);
 
-/// The first degraded row and its reason, with how many more there are, as a line with its end;
+/// The first degraded row and its reason, with how many more `where` has, as a line with its end;
 /// empty: there is none.
-std::string degradedLine(const Report& report);
+std::string degradedLine(const Report& report, const std::string& where = "report.json");
 
 bool anyFailed(const Report& report);
 

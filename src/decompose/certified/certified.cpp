@@ -249,7 +249,7 @@ class Job {
   }
 
   /// `coarse`: for when time ends before there is a cover.
-  Cover searchedBy(const Plan& plan, Coarse coarse) {
+  Cover searchedBy(const SearchPlan& plan, Coarse coarse) {
     Cover best;
     const double step = kCovered / static_cast<double>(plan.ways.size());
     Stretch stretch{0, step};
@@ -288,7 +288,7 @@ class Job {
   }
 
   /// Whether splitting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
-  bool tryWay(const Plan& plan, const Way& way, const Stretch& stretch, Cover& best) {
+  bool tryWay(const SearchPlan& plan, const Way& way, const Stretch& stretch, Cover& best) {
     // Parts that finish a largest side first hardly merge, so they have to be few from the start.
     const auto enough = static_cast<double>(way.largest_side_first ? best.size() : leaves_);
     const std::size_t most = groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * enough) : plan.most_leaves;
@@ -372,7 +372,7 @@ class Job {
   const Place place_;
   const RepairedMesh mesh_;
   const DecomposeOptions options_;
-  const Plan plan_;
+  const SearchPlan plan_;
   double tolerance_;  // [m] of the cover that is made
   LowerBound& least_;
   const RunControl& control_;

@@ -19,24 +19,24 @@ constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluat
 constexpr std::size_t kBestElements = 150;
 
 /// Without ways.
-Plan planOf(std::size_t elements, long first_evaluations, long evaluations, std::size_t most_leaves = kMostLeaves) {
+SearchPlan planOf(std::size_t elements, long first_evaluations, long evaluations, std::size_t most_leaves = kMostLeaves) {
   return {{}, elements, first_evaluations, evaluations, most_leaves, kMostInAll * most_leaves};
 }
 
 }  // namespace
 
-Plan planFor(Effort effort) {
+SearchPlan planFor(Effort effort) {
   if (effort == Effort::kInstant) {
-    Plan plan = planOf(0, 0, 0, kMostForInstant);
+    SearchPlan plan = planOf(0, 0, 0, kMostForInstant);
     plan.ways = {{kLargeSides, kLeafShare}};
     return plan;
   }
   if (effort == Effort::kQuick) {
-    Plan plan = planOf(0, 0, kQuickEvaluations);
+    SearchPlan plan = planOf(0, 0, kQuickEvaluations);
     plan.ways = {{kLargeSides, kLeafShare}, {kAnySide, kLeafShare, kFew}, {kLargeSides, kLargeLeafShare, kVeryFew, true}};
     return plan;
   }
-  Plan plan = planOf(kBestElements, kFirstEvaluations, kBestEvaluations);
+  SearchPlan plan = planOf(kBestElements, kFirstEvaluations, kBestEvaluations);
   for (const double share : {kLeafShare, kLargeLeafShare})
     for (const ScoreWeights& weights : {kLargeSides, kAnySide, kLittleVolume}) plan.ways.push_back({weights, share});
   plan.ways.push_back({kLargeSides, kLargeLeafShare, Way::kAnyNumber, true});

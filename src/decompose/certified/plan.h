@@ -20,7 +20,7 @@ struct Way {
   bool largest_side_first = false;
 };
 
-struct Plan {
+struct SearchPlan {
   std::vector<Way> ways;       ///< at least one
   std::size_t elements = 0;    ///< pieces that leaves are divided into for the search; 0: leaves are not divided
   long first_evaluations = 0;  ///< of hulls, in the search after each way of splitting,
@@ -29,6 +29,6 @@ struct Plan {
   std::size_t most_in_all;     ///< and of the mesh
 };
 
-Plan planFor(Effort effort);
+SearchPlan planFor(Effort effort);
 
 }  // namespace collision_hulls

@@ -17,7 +17,7 @@ bool sameWay(const Way& a, const Way& b) {
 }
 
 TEST(PlanFor, AHigherEffortTriesAllThatALowerOneDoes) {
-  const Plan instant = planFor(Effort::kInstant), quick = planFor(Effort::kQuick), best = planFor(Effort::kBest);
+  const SearchPlan instant = planFor(Effort::kInstant), quick = planFor(Effort::kQuick), best = planFor(Effort::kBest);
   for (const auto& [less, more] : {std::pair{instant, quick}, std::pair{quick, best}}) {
     EXPECT_LT(less.ways.size(), more.ways.size());
     for (const Way& way : less.ways)
@@ -29,7 +29,7 @@ TEST(PlanFor, AHigherEffortTriesAllThatALowerOneDoes) {
 
 TEST(PlanFor, TheFirstWayIsAlwaysTriedAndLaterOnesWhereTheyAreCheap) {
   for (const Effort effort : {Effort::kInstant, Effort::kQuick, Effort::kBest}) {
-    const Plan plan = planFor(effort);
+    const SearchPlan plan = planFor(effort);
     ASSERT_FALSE(plan.ways.empty());
     EXPECT_EQ(plan.ways.front().few, Way::kAnyNumber);
     for (std::size_t i = 1; i < plan.ways.size(); ++i) EXPECT_LE(plan.ways[i].few, plan.ways[i - 1].few);

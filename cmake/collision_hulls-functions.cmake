@@ -45,10 +45,11 @@ endfunction()
 # collision_hulls_generate(ROBOT [CONFIG FILE] [OUTPUT DIR] [TARGET NAME] [PACKAGE_PATH DIR...] [OPTIONS ARG...] [DEPENDS FILE...])
 #
 # Makes the collision model of a .urdf or .xacro file when the project is built: a package in OUTPUT (default <build>/<robot>_collision), by
-# the target TARGET (default <robot>_collision, in which characters that target names do not allow become "_"). <robot>: the file's name up to its first dot. ROS does not look into a build folder: install
-# the package (doc/library.md). It is made again if the description, the configuration, a file in DEPENDS or decompose itself
-# has changed; without DEPENDS, if anything in the source package's folders meshes, urdf and xacro has. Nothing else runs, and meshes that did
-# not change come from the cache. OPTIONS are those of decompose. The package that is built is found by its own name in URIs.
+# the target TARGET (default <robot>_collision, in which characters that target names do not allow become "_"). <robot>: the file's name up
+# to its first dot. ROS does not look into a build folder: install the package (doc/library.md). It is made again if the description, the
+# configuration, a file in DEPENDS or decompose itself has changed; without DEPENDS, if anything in the source package's folders meshes,
+# urdf and xacro has. Nothing else runs, and meshes that did not change come from the cache. OPTIONS are those of decompose. The package
+# that is built is found by its own name in URIs.
 function(collision_hulls_generate robot)
   cmake_parse_arguments(arg "" "CONFIG;OUTPUT;TARGET" "PACKAGE_PATH;OPTIONS;DEPENDS" ${ARGN})
   _collision_hulls_expect_values("collision_hulls_generate(${robot})" "${arg_KEYWORDS_MISSING_VALUES}")

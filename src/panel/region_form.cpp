@@ -51,7 +51,7 @@ void readTolerance(const std::string& text, RegionRule& rule) {
 }
 
 void readCenter(const std::string& text, RegionRule& rule) {
-  std::get<RegionBox>(rule.shape).center = vectorIn(text, "the middle in metres, as 0, 0, 0.08");
+  std::get<RegionBox>(rule.shape).center = vectorIn(text, "the center in metres, as 0, 0, 0.08");
 }
 
 void readSize(const std::string& text, RegionRule& rule) {

@@ -262,7 +262,7 @@ std::string line(const std::string& package, const Missing& missing) {
 
 }  // namespace
 
-/// The others are of its kind, and in the report.
+/// The others are of its kind.
 std::string degradedLine(const Report& report, const std::string& where) {
   const auto degraded = [](const ElementReport& row) { return row.status == Status::kDegraded; };
   const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);

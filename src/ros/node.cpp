@@ -106,7 +106,10 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, job.stated(view.shown(logged(step))));
   DecomposeResponse response = written<DecomposeResponse>(result, output, places_.packagePath(), request.brief, control);
-  if (!response.urdf_path.empty()) show(input.robot, decisions, result, output);
+  if (!response.urdf_path.empty()) {
+    written_[output] = input.robot.name;
+    show(input.robot, decisions, result);
+  }
   return response;
 }
 
@@ -131,7 +134,10 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   RobotResult result =
       fitRobotToScene(input.robot, input.find_package, scene, options, output, control, job.stated(view.shown(logged(step))));
   FitSceneResponse response = written<FitSceneResponse>(result, output, places_.packagePath(), request.brief, control);
-  if (!response.urdf_path.empty()) show(input.robot, decisions, result, output, &scene.scene);
+  if (!response.urdf_path.empty()) {
+    written_[output] = input.robot.name;
+    show(input.robot, decisions, result, &scene.scene);
+  }
   if (!request.brief && !result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }
@@ -219,9 +225,7 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);
 }
 
-void Node::show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const std::string& output,
-                const Scene* scene) try {
-  written_[output] = robot.name;
+void Node::show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene) try {
   private_.setParam("robot_description", result.urdf);
   view_.show(result, scene);
   preview_.take(robot, decisions, result);

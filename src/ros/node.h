@@ -54,8 +54,7 @@ class Node {
   template <typename Request>
   std::string outputFor(const Request& request, const Input& input, const RunControl& control) const;
   RobotDescription readRobot(const std::string& text, const std::string& base, const RunControl& control) const;
-  void show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const std::string& output,
-            const Scene* scene = nullptr);
+  void show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};
   const NodePlaces places_{private_};

@@ -104,8 +104,8 @@ constexpr double kCertificateGap = 0.001;
 /// The proof alone, for hulls from anywhere: their protrusion, with the margin [m] included in its
 /// bound. Apart from the margin, bound and found value differ by at most kCertificateGap of the
 /// tolerance [m], > 0, or of the protrusion where that is more, unless the search gives up (see
-/// protrusion()). Where the bound would then exceed the tolerance, a second search ends once it is
-/// proved that it need not: the two differ by at most the room that the found value leaves.
+/// protrusion()). Where the bound would then exceed the tolerance, a second search goes on only
+/// until it does not: the two then differ by at most the room that the found value leaves.
 Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin,
                        double tolerance, const RunControl& control = {});
 

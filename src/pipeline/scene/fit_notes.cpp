@@ -60,13 +60,13 @@ std::string noteOnNearPairs(const FitReport& fit) {
 
 /// [m] From the root's origin to a hull's bounding box, or to a mesh, in which a robot may stand.
 double distanceTo(const SceneBody& body) {
-  const Eigen::Vector3d root = body.pose.inverse() * Eigen::Vector3d::Zero();
   if (const auto* const hull = std::get_if<ConvexHull>(&body.shape)) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : hull->vertices) box.extend(body.pose * p);
     return box.exteriorDistance(Eigen::Vector3d::Zero());
   }
   const auto& mesh = std::get<TriangleMesh>(body.shape);
+  const Eigen::Vector3d root = body.pose.inverse().translation();
   double least = std::numeric_limits<double>::infinity();
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
     least = std::min(least, (closestPoint(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), root) - root).norm());

@@ -322,6 +322,10 @@ std::string outputPackage(const Options& options, const std::string& output) {
   return packageName(folder.filename().string());
 }
 
+std::string placeOfUris(const Options& options, const std::string& output) {
+  return options.uri == UriStyle::kPackage ? outputPackage(options, output) : replacedFolder(output).string();
+}
+
 std::string urdfFile(const std::string& robot_name, const std::string& model) {
   return "urdf/" + fileName(robot_name) + (model.empty() ? "" : "_" + model) + ".urdf";
 }
@@ -330,6 +334,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
                         const std::string& output, const std::vector<std::string>& notes, RobotResult& result, const RunControl& control) {
   const Options& options = result.report.options;
   const std::string prefix = uriPrefix(options, output);
+  result.place = placeOfUris(options, output);
   std::vector<NewCollisions> links;
   std::vector<ElementNames> in_place(decisions.size());
   for (std::size_t model = 0; model < decisions.size(); ++model) {

@@ -12,6 +12,9 @@ namespace collision_hulls {
 /// The name of the ROS package that a robot's output becomes: the one that the options give, or else that of its folder, made legal.
 std::string outputPackage(const Options& options, const std::string& output);
 
+/// What the URIs of a description refer to: the name of its package, or its folder.
+std::string placeOfUris(const Options& options, const std::string& output);
+
 /// Where the rewritten description lies in the output folder. `model`: of models beside the first.
 std::string urdfFile(const std::string& robot_name, const std::string& model = "");
 

@@ -188,6 +188,14 @@ void refuseLosingMeshes(const Report& report, const fs::path& folder, const RunC
                   "'; run again with fewer jobs or a larger tolerance, choose another output, or run 'decompose --replace-complete'");
 }
 
+/// URIs that name another place would lead nowhere, or to an older output's hulls.
+void refuseOtherPlace(const RobotResult& result, const std::string& output) {
+  const std::string place = placeOfUris(result.report.options, output);
+  if (result.place.empty() || place == result.place) return;
+  throw Error(ErrorCode::kBadOption, "output '" + output + "' is '" + place + "' to the description, whose URIs refer to '" + result.place +
+                                         "'; give writeOutput() the folder that the decomposition was given");
+}
+
 /// The report says what the folder loses: hulls are made again, but not those of links that were not chosen, nor what only a fit to a scene
 /// makes. `hulls`: the files written.
 void noteLost(const fs::path& folder, const std::set<std::string>& hulls, const std::map<std::string, std::string>& files, Report& report,
@@ -223,6 +231,7 @@ void checkOutput(const std::string& output, const RunControl& control) {
 bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control) {
   if (allFailed(result.report)) return false;
   Stopwatch run;
+  refuseOtherPlace(result, output);
   checkOutput(output, control);
   refuseLosingMeshes(result.report, replacedFolder(output), control);
   FolderReplacement replacement(output);

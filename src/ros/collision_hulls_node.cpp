@@ -90,6 +90,18 @@ int serve() {
   return forgotten ? 1 : 0;
 }  // the job has ended
 
+/// Returns the exit status.
+int usage(const std::string& argument) {
+  const bool is_help = argument == "-h" || argument == "--help";
+  if (!is_help) std::fprintf(stderr, "collision_hulls_node: it takes no argument '%s'\n", argument.c_str());
+  std::fputs(
+      "The node of collision_hulls. It takes parameters alone, such as _tolerance:=5mm,5%, and is started by\n"
+      "  roslaunch collision_hulls decompose.launch    or, with rviz, view.launch\n"
+      "Services, actions, topics and parameters: doc/ros.md\n",
+      is_help ? stdout : stderr);
+  return is_help ? 0 : 2;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,6 +109,7 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // or a log in a file or pipe would say nothing before the node ends
   std::setlocale(LC_CTYPE, "C.UTF-8");            // or the log would show each letter beyond ASCII, as paths have, as '??'
   ros::init(argc, argv, "collision_hulls", ros::init_options::NoSigintHandler);
+  if (argc > 1) return usage(argv[1]);  // what is left once ROS has taken its own
   handleSignals();
   if (!waitForMaster()) return 0;
   const ros::NodeHandle last;  // when there is none any more the log ends

@@ -80,7 +80,7 @@ class Door {
         job_(std::move(job)),
         server_(
             node_, name_ + "_action", [this](Goal goal) { pursue(std::move(goal)); },
-            [this](const Goal& goal) { worker_.cancel(goal.getGoalID().id); }, false) {}
+            [this](const Goal& goal) { worker_.cancel(nameOf(goal)); }, false) {}
 
   /// Nothing comes in before.
   void open() {
@@ -97,7 +97,7 @@ class Door {
   bool serve(Request& request, Response& response) {
     const auto done = std::make_shared<std::promise<void>>();  // shared: this call may return before set_value() does
     const auto work = [&](const RunControl& control) { response = answered<Response>([&] { return job_(request, control, {}); }); };
-    const std::string refusal = refusalOf({"a service call", work, [done] { done->set_value(); }});
+    const std::string refusal = refusalOf({"a call of " + name_, work, [done] { done->set_value(); }});
     if (refusal.empty()) {
       done->get_future().wait();
     } else {
@@ -123,11 +123,14 @@ class Door {
         goal.setAborted(Result(), "out of memory while the answer was made; set brief");
       }
     };
-    const std::string refusal = refusalOf({goal.getGoalID().id, work, reply});
+    const std::string refusal = refusalOf({nameOf(goal), work, reply});
     if (refusal.empty()) return;
     response->message = refusal;
     goal.setRejected(recast<Result>(*response), response->message);
   }
+
+  /// Of the job for it.
+  std::string nameOf(const Goal& goal) const { return "goal '" + goal.getGoalID().id + "' of " + name_ + "_action"; }
 
   /// Starts a job. Why that cannot be; empty if it began.
   std::string refusalOf(Worker::Job job) {

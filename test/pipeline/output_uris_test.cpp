@@ -36,6 +36,27 @@ TEST_F(OutputUris, EscapesFolderNames) {
   EXPECT_EQ(resolveUri(uri, "", defaultPackageFinder()), folder_ / "a b#%20é/meshes/base/0_0.stl");
 }
 
+TEST_F(OutputUris, AreWrittenWhereTheyLead) {
+  const auto refused = [&](UriStyle style, const std::string& place) {
+    options_.uri = style;
+    RobotResult result = run(link("base", collision("box.obj")));  // for folder_ / "out"
+    try {
+      writeOutput(result, folder_ / place);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::kBadOption) << e.what();
+      EXPECT_NE(std::string(e.what()).find("give writeOutput() the folder"), std::string::npos) << e.what();
+      return true;
+    }
+    return false;
+  };
+  for (const UriStyle style : {UriStyle::kPackage, UriStyle::kFile, UriStyle::kRelative}) {
+    EXPECT_TRUE(refused(style, "other"));
+    EXPECT_FALSE(refused(style, "out/"));
+    EXPECT_EQ(refused(style, "copy/out"), style != UriStyle::kPackage) << "a package may lie anywhere";
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "other"));
+}
+
 TEST_F(OutputUris, NotesThoseThatNowResolveElsewhere) {
   const auto notes = [&](const std::string& links) { return run(links).report.notes; };
   const std::string absolute = "    <visual>" + meshTag("file://" + (folder_ / "meshes/box.obj")) + "</visual>\n";

@@ -148,7 +148,7 @@ class ActionTest(unittest.TestCase):
         handle = self.send_slow()
         response = decompose(robot_description=self.folder.small_robot(), output=self.folder.output)
         self.assertFalse(response.success)
-        self.assertTrue(response.message.startswith("busy: "), response.message)
+        self.assertRegex(response.message, r"^busy: working on goal '.+' of decompose_action; try again when it is done$")
         second = self.send(self.folder.small_robot())
         self.assertTrue(self.assert_ends(GoalStatus.REJECTED, second).message.startswith("busy: "))
         self.assertTrue(robots.answers())

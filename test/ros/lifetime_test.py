@@ -52,6 +52,14 @@ class LifetimeTest(unittest.TestCase):
         except (rospy.ServiceException, rospy.ROSException):
             pass
 
+    def test_an_argument(self):
+        program = roslib.packages.find_node("collision_hulls", "collision_hulls_node")[0]
+        helped = subprocess.run([program, "--help"], capture_output=True, text=True, timeout=10, check=True)
+        self.assertIn("roslaunch collision_hulls decompose.launch", helped.stdout)
+        refused = subprocess.run([program, "arm.urdf"], capture_output=True, text=True, timeout=10, check=False)
+        self.assertEqual(2, refused.returncode)
+        self.assertIn("takes no argument 'arm.urdf'", refused.stderr)
+
     def test_run_at_start(self):
         node = self.start_node(self.folder.small_robot())
         self.assertTrue(robots.wait_until(lambda: "hulls/base" in self.namespaces()))

@@ -13,9 +13,9 @@ namespace collision_hulls {
 /// old or the new. Replaces an earlier output, whose files are taken over where they have the same
 /// content; refuses (kNotOurOutput) a folder that is not one. Fills seconds.write in the report.
 /// If all meshes failed, writes nothing, since an earlier output may still be of use, and returns
-/// false. Throws kCancelled, and kUnwritableOutput, also where this run lacked memory or time for
-/// some meshes, the earlier output has them all, and Options::replace_complete is not set. Both
-/// leave everything as it was.
+/// false. Throws kBadOption where a robot's URIs refer to another place than `output`, kCancelled,
+/// and kUnwritableOutput, also where this run lacked memory or time for some meshes, the earlier
+/// output has them all, and Options::replace_complete is not set. All leave everything as it was.
 bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
 
 /// Throws what writeOutput would throw for such a folder, before the long work. Leaves nothing

@@ -58,6 +58,9 @@ struct RobotResult : ModelResult {
   std::vector<ModelResult> models;  ///< the others, those of report.models
   std::string robot_name;           ///< or the mesh's stem
   bool single_mesh = false;
+  /// Folder or package that the URIs of each `urdf` refer to: writeOutput() takes no other. Empty:
+  /// any, as for a single mesh.
+  std::string place;
   /// Surface of the scene that it was fitted to, in the root link's frame; empty: none.
   TriangleMesh scene;
   /// Further files of the output package: path in it, content.

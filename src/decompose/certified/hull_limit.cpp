@@ -12,8 +12,7 @@ namespace {
 
 // Ratios of successive tolerances: along a curved surface, half of the hulls need twice the tolerance.
 constexpr double kLeastStep = 1.5, kMostStep = 8;
-// Halvings of the last step, and the ratio from which on none is worth its time.
-constexpr int kNarrowings = 3;
+// Ratio of the last step, halved, from which on no halving is worth its time.
 constexpr double kNarrow = 1.05;
 
 }  // namespace
@@ -38,7 +37,7 @@ BoundedHulls withinLimit(double tolerance, std::size_t count, std::size_t limit,
   const auto next = [&] { return low * std::clamp(static_cast<double>(count) / static_cast<double>(limit), kLeastStep, kMostStep); };
   while (next() < high && !isFewEnough(next())) {
   }
-  for (int i = 0; i < kNarrowings && high > kNarrow * low; ++i) isFewEnough(std::sqrt(low * high));
+  while (high > kNarrow * low) isFewEnough(std::sqrt(low * high));
   return best;
 }
 

@@ -141,7 +141,10 @@ std::vector<std::string> overridingNotes(const Config& config, const std::set<st
     std::replace(key.begin(), key.end(), '-', '_');
     notes.push_back("--" + option + " counts in place of '" + key + "' in '" + config.file + "'");
   };
-  for (const std::string& option : given) note(option, option);
+  for (const std::string& option : given) {
+    const bool is_unused = option == "tolerance" && !config.models.empty();  // each model has its own, and another note says so
+    if (!is_unused) note(option, option);
+  }
   for (const char* const option : {"shapes", "spheres"}) {  // of a link's settings, too
     note(option, "shape");
     if (option != std::string("shapes") && !given.count("shapes")) note(option, "shapes");

@@ -76,18 +76,15 @@ void survey(const std::vector<Places>& places, const Originals& originals, doubl
   pair.usual = median(std::move(apart));
 }
 
-std::string share(std::size_t part, std::size_t whole) {
-  return std::to_string(part) + " of " + std::to_string(whole) + " samples";
-}
-
-/// Why a pair is left out, judging by the original; an empty reason: it is not.
-LeftOutPair verdict(const Sighting& pair) {
+/// Why a pair is left out, judging by the original; an empty reason: it is not. `given`: the configurations were given.
+LeftOutPair verdict(const Sighting& pair, bool given) {
   const auto said = [&](const char* reason, const std::string& known) {
     return LeftOutPair{"", "", reason, known, pair.links, pair.at_rest <= 0};
   };
   if (!pair.moves && pair.at_rest <= 0) return said("Fixed", "always in contact");
   if (pair.touching > 0 && nearlyAll(pair.touching, pair.samples))
-    return said("Always", "in contact in " + share(pair.touching, pair.samples));
+    return said("Always", "in contact in " + std::to_string(pair.touching) + " of " + std::to_string(pair.samples) +
+                              (given ? " given configurations" : " samples"));
   if (pair.links && pair.at_rest <= 0) return said("Default", "in contact at rest");
   return {};
 }
@@ -214,15 +211,13 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
   std::vector<char> may_be_proved;
   std::vector<std::string> nested;
   for (const Sighting& pair : pairs) {
-    LeftOutPair why = verdict(pair);
+    LeftOutPair why = verdict(pair, !problem.configurations.empty());
     if (!why.reason.empty()) {
       const bool apart = !pair.links && !originals.touch(pair.a, pair.b, places.front());
       const std::string at_rest = apart ? nesting(assembly, originals, pair.a, pair.b, places.front()) : "";
       if (!at_rest.empty()) nested.push_back(at_rest);
       if (!at_rest.empty() && why.reason == "Fixed") why.known = "always " + at_rest;
       leaveOut(pair, why);
-      if (!pair.links && why.reason == "Always")
-        rules.notes.push_back(assembly.name(pair.a) + " against " + assembly.name(pair.b) + ": " + why.known + ", so the pair is left out");
       continue;
     }
     const double own = ownClearance(pair, clearance);

@@ -45,9 +45,13 @@ void check(const TriangleMesh& mesh, const RepairOptions& options, const RunCont
       if (v < 0 || at(v) >= mesh.vertices.size())
         throw Error(ErrorCode::kIndexOutOfRange, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
                                                      ", but the mesh has " + std::to_string(mesh.vertices.size()) +
-                                                     " vertices, counted from 0");
-      if (!mesh.vertices[at(v)].allFinite())
-        throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
+                                                     " vertices, counted from 0; correct or remove it");
+      const Eigen::Vector3d& p = mesh.vertices[at(v)];
+      if (!p.allFinite()) {
+        const double wrong = !std::isfinite(p.x()) ? p.x() : !std::isfinite(p.y()) ? p.y() : p.z();
+        throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has the coordinate " + decimal(wrong) +
+                                                         ", which is not a finite number; correct or remove it");
+      }
     }
   }
 }

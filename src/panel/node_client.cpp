@@ -238,7 +238,7 @@ class NodeClient::Session {
     while (!hasEnded() && ros::SteadyTime::now() < end && !client.waitForActionServerToStart(ros::Duration(0.1))) {
     }
     if (!client.isServerConnected()) {
-      Q_EMIT client_.finished(kind, false, false, "The node does not take jobs: it may have been stopped.");
+      Q_EMIT client_.finished(kind, false, false, "The node does not take jobs: it may have been stopped. Start it, then try again.");
       return;
     }
     using Handle = typename Client::GoalHandle;

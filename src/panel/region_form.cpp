@@ -63,11 +63,11 @@ void readRpy(const std::string& text, RegionRule& rule) {
 }
 
 void readNormal(const std::string& text, RegionRule& rule) {
-  std::get<RegionHalfSpace>(rule.shape).normal = vectorIn(text, "what points into the region, as 0, 0, -1");
+  std::get<RegionHalfSpace>(rule.shape).normal = vectorIn(text, "the normal, which points into the region, as 0, 0, -1");
 }
 
 void readOffset(const std::string& text, RegionRule& rule) {
-  std::get<RegionHalfSpace>(rule.shape).offset = numberIn(QString::fromStdString(text), "metres along the normal, as 0.05");
+  std::get<RegionHalfSpace>(rule.shape).offset = numberIn(QString::fromStdString(text), "the offset, in metres along the normal, as 0.05");
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void RegionForm::addNumbers() {
   clear_ = new QCheckBox("&Keep clear");
   clear_->setObjectName("keep_clear");
   clear_->setToolTip("No hull enters the region, except within 0.1 mm of the solid");
-  name_ = addLine("Na&me", "region_name", "For the report", readName);
+  name_ = addLine("Na&me", "region_name", "The region's name in the report", readName);
   tolerance_ = addLine("T&olerance", "region_tolerance", "How far hulls may protrude in the region, as 1mm", readTolerance);
   place(name_, 1, 0);
   grid->addWidget(clear_, 1, 3);

@@ -35,7 +35,9 @@ constexpr double kRecovery = 0.05;                                // [m/s] at wh
 std::vector<Eigen::Vector3d> pointsOf(const dd::ShapeNode& node, const Eigen::Isometry3d& pose) {
   std::vector<Eigen::Vector3d> points;
   const auto* const shape = dynamic_cast<const dd::MeshShape*>(node.getShape().get());
-  if (!shape) throw Error(ErrorCode::kNotARobot, "'" + node.getName() + "': the collision model of a finger must consist of meshes");
+  if (!shape)
+    throw Error(ErrorCode::kNotARobot,
+                "'" + node.getName() + "': the collision model of a finger must consist of meshes; use a method that makes hulls");
   for (unsigned m = 0; m < shape->getMesh()->mNumMeshes; ++m) {
     const aiMesh& mesh = *shape->getMesh()->mMeshes[m];
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -52,7 +54,8 @@ dd::DegreeOfFreedom* addFinger(const dd::SkeletonPtr& robot, const std::string& 
   dd::BodyNode* const finger = robot->getBodyNode(side + "_finger_link");
   const auto* const given = dynamic_cast<dd::PrismaticJoint*>(robot->getJoint(side + "_finger_joint"));
   if (!gripper || !finger || !given)
-    throw Error(ErrorCode::kNotARobot, "'" + robot->getName() + "' has no gripper_link with a prismatic " + side + "_finger_joint");
+    throw Error(ErrorCode::kNotARobot, "'" + robot->getName() + "' has no gripper_link with a prismatic " + side +
+                                           "_finger_joint; give --grip the demo robot, or one with the same gripper");
   const Eigen::Isometry3d pose = finger->getTransform(gripper);
   const dd::SkeletonPtr skeleton = dd::Skeleton::create(side);
   const auto [joint, body] = skeleton->createJointAndBodyNodePair<dd::PrismaticJoint>();

@@ -163,7 +163,8 @@ std::vector<std::string> notesOnFailed(const RobotDescription& robot, const Robo
         have_others.count(link.name) > 0 || (is_bare && std::any_of(link.visuals.begin(), link.visuals.end(), isSolidPrimitive));
     if (is_bare)
       notes.push_back("link '" + link.name + "' has no <collision> elements to keep in place of a mesh that failed: " +
-                      (has_others ? "only its other elements collide" : "nothing collides there"));
+                      (has_others ? "only its other elements collide" : "nothing collides there") +
+                      "; mend the mesh, or add a <collision> element");
     else if (has_others)
       notes.push_back(
           "link '" + link.name +

@@ -302,7 +302,7 @@ std::vector<std::string> notesOnNoHulls(const Report& report) {
 /// Models have tolerances of their own, so that another one for all says nothing.
 std::vector<std::string> notesOnTolerance(const Options& options) {
   if (options.models.empty() || toString(options.tolerance) == toString(Options().tolerance)) return {};
-  return {"the tolerance '" + toString(options.tolerance) + "' is not used: each model has its own"};
+  return {"the tolerance '" + toString(options.tolerance) + "' is not used: each model has its own; leave it out"};
 }
 
 }  // namespace

@@ -197,8 +197,8 @@ void noteManyInAll(Report& report) {
     if (followsTolerance(row)) hulls += row.hulls, ++meshes;
   if (hulls <= kManyInAll) return;
   report.notes.push_back(std::to_string(meshes) + " meshes took " + std::to_string(hulls) +
-                         " hulls: a larger tolerance makes fewer, for small parts one with a larger share, as in 1cm,20%; so does a limit "
-                         "for each mesh, as in --max-hulls 4");
+                         " hulls: for fewer, give a larger tolerance, and for small parts a larger percentage with it, as in 3cm,20%; or "
+                         "limit the hulls of each mesh, as in --max-hulls 4");
 }
 
 /// A mesh of more hulls than planners and simulators like.

@@ -10,7 +10,8 @@ namespace collision_hulls {
 SceneRequest readSceneRequest(const Input& input, const SceneSources& sources, const RunControl& control) {
   if (sources.max_step != 0 && sources.configurations.empty())
     throw Error(ErrorCode::kBadOption,
-                "max-step '" + fixedDecimal(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
+                "max-step '" + decimal(sources.max_step) +
+                    "' interpolates between given configurations, and none are given; add configurations, or omit max-step");
   SceneRequest request;
   for (const std::string& file : {sources.scene, sources.srdf_file, sources.configurations})
     if (!file.empty()) request.files.push_back(file);

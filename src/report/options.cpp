@@ -107,9 +107,10 @@ std::string shortestLength(double metres) {
 
 void checkUnit(const std::string& option, const Length& length, const std::string& otherwise = "") {
   if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
-  throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + decimal(kLargestTolerance) +
-                                         " m, the most that a robot's links take: a number without a unit is in metres; did you mean " +
-                                         toString(lengthOf(length.limit / 1000)) + "?" + otherwise);
+  throw Error(ErrorCode::kBadOption,
+              option + " '" + toString(length) + "' is more than " + decimal(kLargestTolerance) +
+                  " m, the largest that makes sense for a robot's links: a number without a unit is in metres; did you mean " +
+                  toString(lengthOf(length.limit / 1000)) + "?" + otherwise);
 }
 
 void checkLength(const std::string& option, const Length& length) {

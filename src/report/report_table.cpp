@@ -156,8 +156,8 @@ std::string validationLines(const Report& report) {
   if (v.queries == 0) return "check" + of_what + "nothing to compare\n";
   std::string text = "check" + of_what + checkText(v, kindOfBodies(report)) + "\n" + troubleLine(v);
   for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
-  return text + "speed" + of_what + "a distance query between one mesh and a probe takes " + figure(v.hull_query_us) + " us with its " +
-         kindOfBodies(report) + ", " + figure(v.mesh_query_us) + " us with the mesh\n";
+  return text + "speed" + of_what + "a distance query between a test body and a mesh takes " + figure(v.hull_query_us) +
+         " us with the mesh's " + kindOfBodies(report) + ", " + figure(v.mesh_query_us) + " us with the mesh itself\n";
 }
 
 std::string share(std::size_t part, std::size_t whole) {

@@ -84,7 +84,9 @@ void setShape(SceneBody& body, const SolidPrimitive& primitive) {
     case SolidPrimitive::SPHERE: kind = "sphere"; break;
     case SolidPrimitive::CYLINDER: kind = "cylinder"; break;
     case SolidPrimitive::CONE: kind = "cone"; break;
-    default: fail("has a primitive of type " + std::to_string(primitive.type) + " in '" + body.name + "', which is unknown");
+    default:
+      fail("has a primitive of the unknown type " + std::to_string(primitive.type) + " in '" + body.name +
+           "'; use a box, sphere, cylinder or cone");
   }
   if (sizes.size() != sizesOf(kind)) {
     fail("has a " + kind + " of " + std::to_string(sizes.size()) + " dimensions in '" + body.name + "'; it takes " +
@@ -113,7 +115,9 @@ class ObjectAdder {
  private:
   template <class Shapes, class Set>
   void add(const Shapes& shapes, const std::vector<geometry_msgs::Pose>& poses, const Set& set) {
-    if (poses.size() > shapes.size()) fail("has more poses than shapes in '" + object_.id + "'");
+    if (poses.size() > shapes.size())
+      fail("has " + std::to_string(poses.size()) + " poses for " + std::to_string(shapes.size()) + " shapes in '" + object_.id +
+           "'; give one pose for each shape");
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       SceneBody body;
       body.name = shapes_ == 1 ? object_.id : object_.id + "/" + std::to_string(++added_);

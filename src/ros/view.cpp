@@ -122,7 +122,8 @@ void View::show(const RobotResult& result, const Scene* scene) {
   const std::lock_guard<std::mutex> lock(mutex_);
   Drawing drawing = drawResult(result, robot_, scene, opacity_);
   if (scene && !scene->bodies.empty() && drawing.scene.empty())
-    ROS_WARN("the scene '%s' is not shown: it has more than %zu triangles", scene->name.c_str(), kMostSceneTriangles);
+    ROS_WARN("the scene '%s' is not shown in rviz: it has more than %zu triangles; simplify its meshes to see it. The fit uses all of them",
+             scene->name.c_str(), kMostSceneTriangles);
   has_result_ = true;
   put(std::move(drawing));
 }

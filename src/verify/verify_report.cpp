@@ -80,12 +80,12 @@ std::string pairLines(std::vector<PairVerification> pairs, const std::string& ki
 /// The pairs of links that differ most, and what to do about them.
 std::string pairLines(const Verification& verification) {
   const std::string missed = pairLines(verification.pairs, "missed", &PairVerification::missed, [](const PairVerification& pair) {
-    return "do not collide in " + std::to_string(pair.missed) + " of the " + counted(pair.hits, "configuration") +
-           " in which they do in ORIGINAL";
+    return "do not collide in RESULT in " + std::to_string(pair.missed) + " of the " + counted(pair.hits, "configuration") +
+           " in which they collide in ORIGINAL";
   });
   const std::string phantom = pairLines(verification.pairs, kFalse, &PairVerification::phantom, [](const PairVerification& pair) {
-    return "collide in " + std::to_string(pair.phantom) + " of the " + counted(pair.queries - pair.hits, "configuration") +
-           " in which they do not in ORIGINAL";
+    return "collide in RESULT in " + std::to_string(pair.phantom) + " of the " + counted(pair.queries - pair.hits, "configuration") +
+           " in which they do not collide in ORIGINAL";
   });
   if (phantom.empty()) return missed;
   return missed + phantom + kFalse + ": lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n";

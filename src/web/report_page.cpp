@@ -78,8 +78,8 @@ std::string sliderNote(const PageContent& content) {
   if (hasTrees(content, false)) text += "The slider goes through the coarser cuts of the hull tree, with the proved protrusion of each. ";
   if (hasTrees(content, true))
     text +=
-        "The slider merges the hulls of this result pair by pair. What merging adds is proved on top of what is proved of them, so the "
-        "bound holds; a run with that tolerance usually needs fewer.";
+        "The slider merges the hulls of this result pair by pair. The bound that it shows is proved: the bound of these hulls plus "
+        "a bound on what merging adds. decompose at that tolerance usually needs fewer hulls.";
   return text;
 }
 

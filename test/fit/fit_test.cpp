@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "fit/fit_fixtures.h"
@@ -212,8 +214,10 @@ TEST(FitScene, LinkWithAPairLeftOutIsNotProvedAwayFromEverything) {
   const SceneFit fit = fitScene(problem, fitOptions());
   EXPECT_FALSE(fit.report.links[0].proved);
   EXPECT_NE(fit.report.links[0].reason.find("of anything but track, proved"), std::string::npos) << fit.report.links[0].reason;
-  ASSERT_FALSE(fit.report.notes.empty());
-  EXPECT_NE(fit.report.notes[0].find("c0 against track: in contact in 400 of 400 samples"), std::string::npos) << fit.report.notes[0];
+  const auto track = std::find_if(fit.report.left_out.begin(), fit.report.left_out.end(),
+                                  [](const LeftOutPair& pair) { return pair.first == "c0" && pair.second == "track"; });
+  ASSERT_NE(track, fit.report.left_out.end());
+  EXPECT_EQ(track->known, "in contact in 400 of 400 samples");
 }
 
 TEST(FitScene, CapOnHullsHolds) {
@@ -287,7 +291,10 @@ TEST(FitScene, GivenOrFewSamplesAloneDisableNoPair) {
   problem.configurations = {{1, 1}, {0.5, 0.5}};
   EXPECT_TRUE(fitScene(problem, fitOptions()).disabled.empty());
   problem.configurations = {{1, 0}, {0.5, -0.5}};  // in contact in all of them
-  EXPECT_TRUE(fitScene(problem, fitOptions()).disabled.empty());
+  const SceneFit in_contact = fitScene(problem, fitOptions());
+  EXPECT_TRUE(in_contact.disabled.empty());
+  ASSERT_EQ(in_contact.report.left_out.size(), 1u);
+  EXPECT_EQ(in_contact.report.left_out[0].known, "in contact in 2 of 2 given configurations");
   problem.configurations.clear();
   EXPECT_TRUE(fitScene(problem, fitOptions(0.01, 1)).disabled.empty());
 }

@@ -73,7 +73,8 @@ TEST_F(FailedMeshes, ALinkWithoutCollisionElementsGetsTheHullsOfItsOtherMeshes) 
   for (const char* part :
        {"link 'base' has no <collision> elements to keep in place of a mesh that failed: only its other elements collide",
         "link 'ball' has no <collision> elements to keep in place of a mesh that failed: only its other elements collide",
-        "link 'tip' has no <collision> elements to keep in place of a mesh that failed: nothing collides there"})
+        "link 'tip' has no <collision> elements to keep in place of a mesh that failed: nothing collides there; mend the mesh, or add a "
+        "<collision> element"})
     EXPECT_NE(all.find(part), std::string::npos) << all;
 }
 

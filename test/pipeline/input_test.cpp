@@ -43,7 +43,7 @@ class OpenInput : public ::testing::Test {
 };
 
 TEST_F(OpenInput, NothingThere) {
-  expectError("", ErrorCode::kFileNotFound, {"INPUT ''"});
+  expectError("", ErrorCode::kFileNotFound, {"'' is neither a file"});
   expectError("no/such.stl", ErrorCode::kFileNotFound, {"'no/such.stl' does not exist (looked for '/", "/no/such.stl')"});
   expectError("missing.urdf", ErrorCode::kFileNotFound, {"'missing.urdf' does not exist (looked for '/", "/missing.urdf')"});
   expectError("no/such", ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});

@@ -66,7 +66,7 @@ TEST_F(MeshSources, AToleranceThatNoModelHasIsTold) {
   options_.models = {{"coarse", lengthOf(0.1)}, {"fine", lengthOf(0.02)}};
   EXPECT_EQ(count(told(), "is not used"), 0u) << told();
   options_.tolerance = parseLength("2mm");
-  EXPECT_EQ(count(told(), "the tolerance '2mm' is not used: each model has its own"), 1u) << told();
+  EXPECT_EQ(count(told(), "the tolerance '2mm' is not used: each model has its own; leave it out"), 1u) << told();
 }
 
 TEST_F(MeshSources, LinksThatGainHullsBesideOthersThatCollideAreTold) {

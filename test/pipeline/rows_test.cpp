@@ -165,9 +165,10 @@ TEST(PutTogether, NotesVeryManyHullsInAll) {
     putTogether({use("a"), use("b"), use("c"), use("d"), use("e"), use("f")}, meshes, result);
     return result.report.notes;
   };
-  EXPECT_EQ(notes(1), std::vector<std::string>{
-                          "6 meshes took 501 hulls: a larger tolerance makes fewer, for small parts one with a larger share, as in "
-                          "1cm,20%; so does a limit for each mesh, as in --max-hulls 4"});
+  EXPECT_EQ(notes(1),
+            std::vector<std::string>{
+                "6 meshes took 501 hulls: for fewer, give a larger tolerance, and for small parts a larger percentage with it, as in "
+                "3cm,20%; or limit the hulls of each mesh, as in --max-hulls 4"});
   EXPECT_TRUE(notes(0).empty()) << "500 in all";
 }
 

@@ -157,7 +157,8 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
             "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
             "distances at most 12.3 mm too short");
   EXPECT_EQ(table[10], "  a remark");
-  EXPECT_EQ(table[11], "speed: a distance query between one mesh and a probe takes 2.35 us with its hulls, 123 us with the mesh");
+  EXPECT_EQ(table[11],
+            "speed: a distance query between a test body and a mesh takes 2.35 us with the mesh's hulls, 123 us with the mesh itself");
   EXPECT_EQ(table[12], "note: a note");
 }
 

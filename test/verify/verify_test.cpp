@@ -110,8 +110,9 @@ TEST_F(Verify, NamesThePairsOfLinksThatTouchWhereTheOriginalsDoNot) {
   EXPECT_EQ(seen.pairs[0].hits, 0u);
   EXPECT_EQ(seen.pairs[0].phantom, 50u);
   const std::string table = toTable(seen);
-  for (const char* part : {"false collisions: 'a' and 'c' collide in 50 of the 50 configurations in which they do not in ORIGINAL\n",
-                           "false collisions: lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n"})
+  for (const char* part :
+       {"false collisions: 'a' and 'c' collide in RESULT in 50 of the 50 configurations in which they do not collide in ORIGINAL\n",
+        "false collisions: lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n"})
     EXPECT_NE(table.find(part), std::string::npos) << table;
   for (const char* other : {"missed: ", "phantom"}) EXPECT_EQ(table.find(other), std::string::npos) << table;
   const nlohmann::json json = nlohmann::json::parse(toJson(seen, options, "", ""));
@@ -125,7 +126,7 @@ TEST_F(Verify, NamesThePairsOfLinksThatDoNotTouchWhereTheOriginalsDo) {
   options.configurations = 50;
   const Description row = robot(rowOfLinks(look, model, {"a", "b", "c"}, 0.105));
   const std::string table = toTable(verify(row, row, options));
-  EXPECT_NE(table.find("missed: 'a' and 'c' do not collide in 50 of the 50 configurations in which they do in ORIGINAL\n"),
+  EXPECT_NE(table.find("missed: 'a' and 'c' do not collide in RESULT in 50 of the 50 configurations in which they collide in ORIGINAL\n"),
             std::string::npos)
       << table;
   EXPECT_EQ(table.find("false collisions: "), std::string::npos) << table;
@@ -135,8 +136,9 @@ TEST(VerifyTable, NamesTenPairsThoseWithMostFirst) {
   Verification seen;
   for (std::size_t i = 0; i < 12; ++i) seen.pairs.push_back({"a", "b" + std::to_string(i), 100, i, 0, i + 1});
   const std::string table = toTable(seen);
-  EXPECT_EQ(fixtures::count(table, " collide in "), 10u) << table;
-  EXPECT_LT(table.find("'b11' collide in 12 of the 89 configurations"), table.find("'b10' collide in 11 of the 90 configurations"));
+  EXPECT_EQ(fixtures::count(table, " collide in RESULT in "), 10u) << table;
+  EXPECT_LT(table.find("'b11' collide in RESULT in 12 of the 89 configurations"),
+            table.find("'b10' collide in RESULT in 11 of the 90 configurations"));
   EXPECT_EQ(table.find("'b1' "), std::string::npos) << table;
   EXPECT_NE(table.find("false collisions: 2 more pairs of links, which --json lists\n"), std::string::npos) << table;
 }

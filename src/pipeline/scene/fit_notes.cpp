@@ -103,10 +103,12 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnGivenContacts(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnNearPairs(fit); !note.empty()) notes.push_back(note);
-  if (!fit.scene_contact.empty()) notes.push_back("the original meshes are in contact with the scene at rest: " + fit.scene_contact);
+  if (!fit.scene_contact.empty())
+    notes.push_back("the original meshes are in contact with the scene at rest: " + fit.scene_contact +
+                    "; check the scene's pose unless the robot really stands like that");
   const std::string touched =
       "the original meshes touch the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
-  if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");
+  if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations; check these unless the contact is meant");
   if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))
     notes.push_back(touched +
                     " sampled configurations, and a fit learns from the others alone; if the robot does not stand there, move the " +

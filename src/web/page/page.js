@@ -87,7 +87,7 @@ class Page {
     const bodies = [hulls > 0 && counted(hulls, 'hull'), primitives > 0 && counted(primitives, 'primitive')].filter(Boolean).join(' and ');
     byId('count').textContent = bodies ? `${bodies}${what}, protrusion at most ${millimetres(bound)}` : `no hulls${what}`;
     byId('count').dataset.hulls = hulls + primitives;
-    const regions = this.elements.some((element) => element.regions.length > 0) ? ', without regard to regions' : '';
+    const regions = this.elements.some((element) => element.regions.length > 0) ? ', ignoring regions' : '';
     const how = shown.every((element) => this.data.meshes[element.mesh].cuts) ? 'a cut of the hull tree' : 'merged for this page';
     byId('merged').textContent = this.tolerance > 0 ? `${how}${regions}` : 'as written';
   }

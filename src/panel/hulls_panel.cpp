@@ -153,7 +153,7 @@ QWidget* HullsPanel::buttons() {
   auto* const column = new QVBoxLayout(widget);
   column->setContentsMargins(0, 0, 0, 0);
   auto* const first = new QHBoxLayout;
-  auto* const label = new QLabel("Finest &leaves");
+  auto* const label = new QLabel("F&inest tolerance");
   tree_ = new QLineEdit(kTree);
   tree_->setObjectName("tree");
   tree_->setToolTip("The finest tolerance that the slider offers without building again, as 2mm or 2mm,1%; finer takes longer to build");
@@ -186,7 +186,7 @@ QWidget* HullsPanel::jobRow() {
   job_text_ = new QLabel;
   row->addWidget(progress_);
   row->addWidget(job_text_, 1);
-  auto* const cancel = new QPushButton("&Cancel");
+  auto* const cancel = new QPushButton("Cancel");
   cancel->setObjectName("cancel");
   cancel->setAutoDefault(false);
   row->addWidget(cancel);

@@ -114,12 +114,15 @@ void SettingsForm::addBoxes(QGridLayout* grid) {
   action_ = addBox(grid, 2, 0, "&Collision", "action", {"decompose", "keep", "remove"});
   action_->setToolTip("What becomes of the links' <collision> elements");
   method_ = addBox(grid, 2, 2, "&Method", "method", namesOf(allMethods()));
+  method_->setToolTip("How meshes are decomposed; the slider works with certified");
   effort_ = addBox(grid, 2, 4, "&Effort", "effort", namesOf(allEfforts()));
+  effort_->setToolTip("instant: quickest, more hulls; best: fewest hulls, slowest (method certified)");
   max_hulls_ = addSpin(grid, 3, 0, "Most &hulls", "max_hulls", kMostHulls);
-  max_hulls_->setToolTip("Per mesh");
+  max_hulls_->setToolTip("Most hulls per mesh; the hulls may then protrude further than the tolerance");
   max_vertices_ = addSpin(grid, 3, 2, "Most &vertices", "max_vertices", kMostVertices);
-  max_vertices_->setToolTip("Per hull");
-  source_ = addBox(grid, 4, 0, "So&urce", "source", {"auto", "visual", "collision"});
+  max_vertices_->setToolTip("Most vertices per hull, 8 or more");
+  source_ = addBox(grid, 4, 0, "Sou&rce", "source", {"auto", "visual", "collision"});
+  source_->setToolTip("Elements to decompose; auto: <collision> if the link has any, else <visual>");
   const auto choose = [this](QComboBox* box, auto apply) {
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, box, apply](int) {
       const std::string text = box->currentText().toStdString();
@@ -145,7 +148,7 @@ void SettingsForm::addOpenings(QGridLayout* grid) {
   openings_ = new QLineEdit;
   openings_->setObjectName("close_openings");
   openings_->setToolTip(
-      "Close openings of shells that are no wider than this first, as 5cm; 0: none. Protrusion is then measured from the closed meshes");
+      "First close openings of shells up to this width, as 5cm; 0: none. Protrusion is then measured from the closed meshes");
   text->setBuddy(openings_);
   grid->addWidget(text, 4, 2);
   grid->addWidget(openings_, 4, 3);

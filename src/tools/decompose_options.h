@@ -120,7 +120,7 @@ class DecomposeOptionAdder {
         "Make the hulls hold everything within this distance of the surface; they may then protrude by the padding and the tolerance",
         [](Options& options, const std::string& option, const std::string& text) { options.padding = parsePadding(text, option); });
     add("Accuracy", "--close-openings", "LENGTH", "0",
-        "Close openings of shells that are no wider than this first; protrusion is then measured from the closed meshes",
+        "First close openings of shells up to this width; protrusion is then measured from the closed meshes",
         [](Options& options, const std::string& option, const std::string& text) { options.close_openings = parsePadding(text, option); });
     addChoice("Accuracy", "--shapes", &Options::shapes, shapesNamed, shapesChoices(), name(defaults.shapes),
               "Bodies that the model consists of: a primitive where it does as well as hulls (mixed), primitives or spheres alone, or a "
@@ -128,7 +128,8 @@ class DecomposeOptionAdder {
     addFlag(
         "Accuracy", "--spheres", [](Options& options) { options.shapes = Shapes::kSpheres; }, "The same as --shapes spheres");
     add("Accuracy", "--tree", "LENGTH", "",
-        "Build and cache a hull tree at this finer tolerance; later runs at coarser tolerances reuse it (method certified)",
+        "Build and cache hulls at every level of detail (a hull tree), down to this finer tolerance; later runs at coarser tolerances "
+        "reuse them (method certified)",
         [](Options& options, const std::string&, const std::string& text) { options.tree = parseLength(text, "--tree"); });
   }
 
@@ -154,7 +155,8 @@ class DecomposeOptionAdder {
 
   void addOutput() {
     addChoice("Output", "--format", &Options::format, meshFormatNamed, "stl, obj, dae", "stl", "Mesh files of the hulls");
-    addChoice("Output", "--uri", &Options::uri, uriStyleNamed, "package, file, relative", "package", "How the description refers to them");
+    addChoice("Output", "--uri", &Options::uri, uriStyleNamed, "package, file, relative", "package",
+              "How the new description refers to the hulls");
     addFlag(
         "Output", "--rebase", [](Options& options) { options.rebase = true; },
         "Let relative file names of the elements that stay, such as <visual>, lead to the same files from the new description");
@@ -170,7 +172,7 @@ class DecomposeOptionAdder {
         "Do not write report.html, the report as a page with a 3D view");
     addFlag(
         "Output", "--replace-complete", [](Options& options) { options.replace_complete = true; },
-        "Replace an earlier output that has all meshes even if memory or time did not suffice for some of them now");
+        "Replace an earlier, complete output even if this run lacked memory or time for some meshes");
   }
 
   void addRun() {

@@ -35,7 +35,8 @@ never misses a collision. The report says what each link needed, what is proved,
 configurations in which the model still collides although the original keeps the clearance.
 
 The model is of certified hulls. The options of decompose that this leaves no room for are refused, with a reason each: other methods,
---padding, --scale, --segments, --shapes, --spheres, --time-limit, --tree and --for curobo.
+--padding, --scale, --segments, --shapes, --spheres, --time-limit, --tree and --for curobo. There is no --model: a scene decides on the
+detail.
 
 Exit status: as for decompose.
 

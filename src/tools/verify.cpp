@@ -53,11 +53,12 @@ void addOptions(CommandLine& app, Command& command) {
       "Default: those that RESULT was made from, if its report says so, else auto",
       "Input");
   add("--close-openings", command.close_openings, "LENGTH",
-      "Close openings of ORIGINAL's shells that are no wider than this first, as decompose does: 5cm", "Input");
+      "First close openings of ORIGINAL's shells up to this width, as decompose does: 5cm", "Input");
   add("--links", command.options.links, "REGEX", "Links to compare: a regular expression that matches the whole name; default: all",
       "Input");
   addPackagePath(app, command.package_path);
-  app.add_option("--configurations", command.configurations, "Configurations of the robot in which collisions are queried; 0: none")
+  app.add_option("--configurations", command.configurations,
+                 "Number of configurations of the robot in which collisions are queried; 0: none")
       ->type_name("N [1000]")
       ->check(range(0, 1e7))
       ->group("Run");

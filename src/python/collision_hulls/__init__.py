@@ -116,7 +116,7 @@ def decompose(
     effort: how long to look for fewer hulls: "instant", "quick" or "best".
     max_hulls, max_vertices: most hulls, and most vertices of a hull (at least 8); 0: no limit.
     padding: the hulls hold everything within this distance of the surface, and may protrude by padding and tolerance.
-    close_openings: close openings of a shell no wider than this first; protrusion is then measured from the closed mesh.
+    close_openings: first close openings of a shell up to this width; protrusion is then measured from the closed mesh.
     fill: cover the inside of a closed mesh as well, not its surface alone.
     jobs: threads; 0: as many as cores.
     progress: called with the share done, from 0 to 1, a few times a second. What it raises ends the work.

@@ -46,8 +46,8 @@ struct RunControl {
     return end != Time::max() && std::chrono::steady_clock::now() >= end;
   }
   /// Throws Error(kCancelled) after cancel(), and kOutOfTime if it stops at the deadline. Every
-  /// loop over all of a mesh calls this at least once in 16,384 items. A single call of a library,
-  /// be it for much memory, cannot be interrupted; see doc/limits.md.
+  /// loop over all of a mesh calls this at least once in 16,384 items. A single library call,
+  /// such as a large allocation, cannot be interrupted; see doc/limits.md.
   void check() const {
     if (cancelled()) throw Error(ErrorCode::kCancelled, "cancelled by the caller");
     if (stops_at_deadline && late())

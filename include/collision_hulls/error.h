@@ -25,7 +25,7 @@ enum class ErrorCode {
   kNonFiniteCoordinate,  ///< a vertex coordinate is NaN or infinite
   kIndexOutOfRange,      ///< a face refers to a vertex that does not exist
   kTooFarFromOrigin,     ///< the mesh lies so far out that single precision cannot resolve it
-  kReaderFailed,         ///< reading the file crashed its reader
+  kReaderFailed,         ///< the file's reader crashed, cannot start, or gave no valid answer
   kBadScale,             ///< a URDF scale factor is zero or not finite
   kNotXml,               ///< the robot description is not well-formed XML
   kNotARobot,            ///< well-formed XML, but not a robot description

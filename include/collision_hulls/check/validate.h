@@ -45,8 +45,8 @@ struct ValidationOptions {
 /// Field names and meanings as in the report's "validation" object. Verdicts allow for 1e-6 of the
 /// element's extent, the accuracy of FCL's answers; `phantom` also allows for the distance that
 /// welding moved vertices when the solid was made from the original. A probe wholly inside the
-/// solid counts as hitting the original; a probe in a hole of the hulls inside the solid is not a
-/// miss.
+/// solid counts as hitting the original; a probe in a void between the hulls, inside the solid, is
+/// not a miss.
 struct Validation {
   std::size_t queries = 0;
   std::size_t missed = 0;  ///< original hit, hulls not: must be 0
@@ -63,8 +63,8 @@ struct Validation {
   std::size_t disagreements = 0;
   double mesh_query_us = 0;  ///< [us] median time of a distance query to the original (BVH)
   double hull_query_us = 0;  ///< [us] the same to the element's hulls
-  /// One line for each miss, phantom, exception, disagreement, underestimate beyond the protrusion,
-  /// and pair that was not checked; at most 20.
+  /// One line for each miss, false collision, exception, disagreement, underestimate beyond the
+  /// protrusion, and pair that was not checked; at most 20.
   std::vector<std::string> remarks;
 };
 

@@ -25,7 +25,7 @@ struct Config {
   std::string file;  ///< that it was read from, for messages
   std::string text;  ///< as it was read
   LinkSettings defaults;
-  /// Empty: no tree. Not set: as the options say.
+  /// nullopt: as the options say. Holding nullopt: no tree (`tree: none`).
   std::optional<std::optional<Length>> tree;
   std::vector<LinkRule> rules;
   std::vector<RegionRule> regions;

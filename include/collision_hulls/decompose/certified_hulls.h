@@ -52,7 +52,7 @@ struct CertifiedHulls {
   Eigen::Vector3d where = Eigen::Vector3d::Zero();
   Eigen::Vector3d nearest = Eigen::Vector3d::Zero();
   /// Proved: no convex sets within the tolerance cover the mesh with fewer; see leastHulls().
-  /// nullopt: the search had no use for this number.
+  /// nullopt: the search did not need it, so it was not computed; leastHulls() does that.
   std::optional<std::size_t> least_hulls;
   /// What is proved of each of DecomposeOptions::regions: no point of a hull that is deeper in the
   /// region than its rim is further from S than this bound.

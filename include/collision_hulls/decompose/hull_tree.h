@@ -30,8 +30,8 @@ struct HullTree {
   std::vector<HullNode> nodes;
   double tolerance = 0;  ///< [m] the tolerance of the leaves
 
-  /// The coarsest cut whose nodes protrude no further than `tolerance` [m], but for leaves that do.
-  /// Nodes in ascending order.
+  /// The coarsest cut whose nodes protrude no further than `tolerance` [m]. Only leaves may exceed
+  /// it: they have no children. Nodes in ascending order.
   std::vector<int> cutAt(double tolerance) const;
 
   /// A cut of at most `hulls` (>= 1) nodes: starts at the root and keeps replacing the furthest

@@ -172,7 +172,7 @@ struct FitReport {
   std::size_t scene_hits = 0;
   std::vector<FittedLink> links;
   std::vector<LeftOutPair> left_out;
-  std::vector<PairHits> self;  ///< pairs of links that have a phantom before or after
+  std::vector<PairHits> self;  ///< pairs of links that have a false collision before or after
   std::vector<std::string> notes;
   std::vector<ModelRow> models;  ///< empty unless FitOptions::compare
   double seconds = 0;

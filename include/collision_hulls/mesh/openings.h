@@ -1,5 +1,5 @@
-// The openings of a shell, and lids for them, so that it stands for the solid that it is the skin
-// of, such as a cover that is open where it is mounted.
+// The openings of a shell (a surface without thickness), and lids that close them. A shell with
+// lids counts as the solid whose skin it is, such as a housing that is open where it is mounted.
 //
 // For example:
 //

@@ -71,8 +71,8 @@ struct RobotResult : ModelResult {
 
 /// What a run is doing, for bars and feedback.
 struct Step {
-  /// "read", "decompose", "fit" and "certify" (to a scene), "validate"; after it
-  /// addConsumerFiles() has "pairs"
+  /// "read", "decompose", "validate"; for a scene, "fit" and "certify" come before "validate".
+  /// After it addConsumerFiles() has "pairs"
   std::string stage;
   std::string item;  ///< link of the mesh finished last; empty where the stage has none
   std::size_t done = 0, total = 0, hulls = 0;  ///< meshes finished, all meshes, hulls so far

@@ -54,9 +54,9 @@ std::string toString(const Length& length);  ///< parseLength reads it back: "5m
 
 /// [m] Reads a length alone, without shares and pairs. Throws as parseLength.
 double parseMetres(const std::string& text, const std::string& option);
-/// The same; 0 is one, too.
+/// As parseMetres(), but 0 is allowed.
 double parseMetresOrZero(const std::string& text, const std::string& option);
-/// The same, up to 1 m.
+/// As parseMetresOrZero(), up to 1 m. For widths of openings, too.
 double parsePadding(const std::string& text, const std::string& option = "padding");
 
 enum class UriStyle { kPackage, kFile, kRelative };

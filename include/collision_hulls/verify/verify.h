@@ -51,8 +51,9 @@ struct VerifyOptions {
   Source source = Source::kAuto;
   std::optional<MadeFrom> made_from;  ///< counts instead of `source`; a note says so
   std::string links;  ///< regular expression that a link's whole name must match; empty: all
-  double close_openings =
-      0;  ///< [m] of ORIGINAL, no wider than this, are closed first; see closeOpenings()
+  /// [m] Openings of ORIGINAL's shells up to this width are closed first; see closeOpenings().
+  /// 0: none
+  double close_openings = 0;
   /// [m] gates: a link that exceeds one does not pass. Without a gate any value does.
   std::optional<double> max_uncovered, max_protrusion;
   std::size_t configurations = 1000;  ///< of the robot, in which collisions are queried

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t kMostMeasured = 100;       // contacts per link among which the nearest is sought
 constexpr std::size_t kMostNamed = 3;            // parts that a link may touch, in a message
+constexpr std::size_t kLookedAt = 1000;          // samples: enough to tell a hundredth that keeps the clearance from none
 constexpr std::size_t kEnoughForNever = 10'000;  // samples without contact, as many as MoveIt's Setup Assistant takes
 
 std::size_t partOf(const FittedModel& model, int piece) {
@@ -179,15 +180,30 @@ std::size_t primitives(const FittedModel& model) {
   return count;
 }
 
-/// How many samples are phantoms: the model collides though the original is clear.
-std::size_t phantoms(const FittedModel& model, const std::vector<char>& hit, const RunControl& control) {
-  std::vector<char> phantom(hit.size());
-  forEach(hit.size(), [&](std::size_t i) {
+/// Of the verification samples that are marked, in how many the original keeps its clearance.
+std::size_t clearOnes(const FittedModel& model, const std::vector<char>& marked, const RunControl& control) {
+  std::vector<char> clear(marked.size());
+  forEach(marked.size(), [&](std::size_t i) {
     control.check();
-    if (hit[i])
-      phantom[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(model.fitting.verifiedFrom() + i), {});
+    if (marked[i])
+      clear[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(model.fitting.verifiedFrom() + i), {});
   });
-  return static_cast<std::size_t>(std::count(phantom.begin(), phantom.end(), 1));
+  return static_cast<std::size_t>(std::count(clear.begin(), clear.end(), 1));
+}
+
+/// The pairs with most contacts between leaves, and how near their originals are in one of these.
+std::string worstLeafContacts(const FittedModel& model) {
+  std::map<PartIndices, std::vector<const Contact*>> by_pair;
+  for (const Contact& contact : model.fitting.leafContacts())
+    by_pair[{partOf(model, contact.piece[0]), partOf(model, contact.piece[1])}].push_back(&contact);
+  std::vector<std::vector<const Contact*>> worst;
+  for (const auto& [pair, contacts] : by_pair) worst.push_back(contacts);
+  std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  std::vector<std::string> texts;
+  for (const auto& contacts : worst)
+    texts.push_back(described(model, *contacts.front()) +
+                    (contacts.size() > 1 ? " and in " + std::to_string(contacts.size() - 1) + " more" : ""));
+  return listedFirst(texts, kMostNamed);
 }
 
 }  // namespace
@@ -233,10 +249,15 @@ Hits countHits(const FittedModel& model, const RunControl& control) {
     for (const PartIndices& pair : sample.before) ++hits.at(pair).before;
     for (const PartIndices& pair : sample.after) ++hits.at(pair).after;
   }
-  result.scene = static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
-    return std::any_of(sample.original.begin(), sample.original.end(),
-                       [&](const PartIndices& pair) { return !model.assembly.isLink(pair.second); });
-  }));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto& touching = samples[i].original;
+    const auto pair =
+        std::find_if(touching.begin(), touching.end(), [&](const PartIndices& p) { return !model.assembly.isLink(p.second); });
+    if (pair == touching.end()) continue;
+    if (++result.scene == 1)
+      result.first_in_scene =
+          "number " + std::to_string(i + 1) + ", " + model.assembly.name(pair->first) + " against " + model.assembly.name(pair->second);
+  }
   return result;
 }
 
@@ -260,7 +281,9 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
     report.original_hits += true_hit[i] != 0;
     report.missed += true_hit[i] && !hit[i];
   }
-  report.phantom = phantoms(model, hit, control);
+  report.phantom = clearOnes(model, hit, control);
+  report.clear_of = std::min(count, kLookedAt);
+  report.clear = clearOnes(model, std::vector<char>(report.clear_of, 1), control);
   report.phantom_rate_bound = report.given ? 0 : std::min(1.0, upperBound(report.phantom) / static_cast<double>(count));
   report.pairs = model.rules.pairs.size() + model.rules.proved.size();
   report.proved_pairs = model.rules.proved.size();
@@ -277,8 +300,9 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   for (std::size_t i = 0; i < model.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();
   report.links = fittedLinks(model);
   report.leaf_contacts = model.fitting.leafContacts().size();
-  if (report.leaf_contacts > 0) report.leaf_contact = described(model, model.fitting.leafContacts().front());
+  report.leaf_contact = worstLeafContacts(model);
   report.scene_hits = counted.scene;
+  report.first_scene_hit = counted.first_in_scene;
   report.scene_contact = contactAtRest(model);
   report.self = selfPhantoms(counted.pairs);
   report.left_out = model.rules.left_out;

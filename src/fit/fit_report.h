@@ -25,7 +25,8 @@ struct FittedModel {
 /// Hits of all pairs that are checked or proved, over the verification samples.
 struct Hits {
   std::map<PartIndices, PairHits> pairs;
-  std::size_t scene = 0;  ///< samples in which the original collides with the scene
+  std::size_t scene = 0;       ///< samples in which the original collides with the scene
+  std::string first_in_scene;  ///< FitReport::first_scene_hit
 };
 Hits countHits(const FittedModel& model, const RunControl& control);
 

@@ -11,6 +11,7 @@
 #include "base/counted.h"
 #include "base/median.h"
 #include "base/parallel.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/reach/reach.h"
 #include "scene/text.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr std::size_t kSurveyed = 400;  // samples
 constexpr double kNearlyAll = 0.95;     // of them; MoveIt's Setup Assistant uses the same share
 constexpr std::size_t kEvaluations = 300;
+constexpr std::size_t kMostListed = 3;  // in a note
 constexpr std::size_t kMostPairs = 2'000'000;
 
 /// What the survey saw of a pair.
@@ -167,6 +169,13 @@ std::string noteOnNested(const std::vector<std::string>& nested) {
          "correct the scene, or leave the body out of the planner's scene, too";
 }
 
+/// On pairs that count as clear from half of their usual distance on, one at least.
+std::string noteOnClose(const std::vector<std::string>& close, double clearance) {
+  const bool is_one = close.size() == 1;
+  return counted(close.size(), "pair") + (is_one ? " is" : " are") + " hardly ever " + lengthText(clearance) + " apart, and " +
+         (is_one ? "counts" : "each counts") + " as clear from half of its usual distance on: " + listedFirst(close, kMostListed);
+}
+
 }  // namespace
 
 std::string nesting(const Assembly& assembly, const Originals& originals, std::size_t link, std::size_t body, const Places& places) {
@@ -209,7 +218,7 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
     survey(places, originals, clearance, pairs[i]);
   });
   std::vector<char> may_be_proved;
-  std::vector<std::string> nested;
+  std::vector<std::string> nested, close;
   for (const Sighting& pair : pairs) {
     LeftOutPair why = verdict(pair, !problem.configurations.empty());
     if (!why.reason.empty()) {
@@ -221,16 +230,14 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
       continue;
     }
     const double own = ownClearance(pair, clearance);
-    if (own < clearance) {
-      rules.notes.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " are hardly ever " + lengthText(clearance) +
-                            " apart: this pair counts as clear from " + lengthText(own) + " on");
-    }
+    if (own < clearance) close.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " (" + lengthText(own) + ")");
     rules.pairs.push_back({pair.a, pair.b, own});
     const Kinematics& kinematics = assembly.kinematics();
     const bool settled = pair.links ? kinematics.settled(pair.a, pair.b) : kinematics.settled(pair.a);
     may_be_proved.push_back(settled && pair.near == 0 && pair.at_rest >= clearance);
   }
   if (!nested.empty()) rules.notes.push_back(noteOnNested(nested));
+  if (!close.empty()) rules.notes.push_back(noteOnClose(close, clearance));
   prove(problem, assembly, may_be_proved, clearance, control, rules);
   return rules;
 }

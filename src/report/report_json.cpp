@@ -164,6 +164,8 @@ json toJson(const FitReport& fit) {
           {"missed", fit.missed},
           {"phantom", fit.phantom},
           {"phantom_rate_bound", fit.phantom_rate_bound},
+          {"clear", fit.clear},
+          {"clear_of", fit.clear_of},
           {"leaf_contacts", fit.leaf_contacts},
           {"pairs", fit.pairs},
           {"proved_pairs", fit.proved_pairs},

@@ -192,6 +192,7 @@ std::string sceneLines(const Report& report) {
   text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
           verdictText(fit.missed, fit.phantom, "clearance");
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
+  if (fit.clear_of > 0) text += "; the meshes keep the clearance in " + share(fit.clear, fit.clear_of);
   text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other";
   const auto left_out = std::count_if(fit.left_out.begin(), fit.left_out.end(), [](const LeftOutPair& pair) { return !pair.links; });
   if (left_out > 0) text += "; " + counted(static_cast<std::size_t>(left_out), "pair") + " with the scene left out";

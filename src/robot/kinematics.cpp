@@ -136,7 +136,7 @@ double restValue(const JointDescription& joint) {
   return std::clamp(0.0, joint.lower, joint.upper);
 }
 
-Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size()), body_(links_), parent_body_(links_) {
+Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size()), parent_(links_) {
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < links_; ++i) link_index[robot.links[i].name] = i;
   Drives drives(robot.joints);
@@ -146,8 +146,8 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
     variable_index[joint.name] = static_cast<int>(variables_.size());
     variables_.push_back({joint.name, joint.lower, joint.upper, joint.kind == Kind::kContinuous});
   }
-  std::iota(body_.begin(), body_.end(), std::size_t{0});
-  std::iota(parent_body_.begin(), parent_body_.end(), std::size_t{0});
+  std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  body_ = parent_;
   unsettled_.resize(links_);
   std::size_t unsettled = 0;
   for (const JointDescription& description : robot.joints) {
@@ -162,7 +162,8 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
       const bool comes_back = description.kind != Kind::kPrismatic && drive.multiplier == std::round(drive.multiplier);
       joint.paced = drive.master->kind == Kind::kContinuous && drive.multiplier != 0 && !comes_back;
     }
-    (canMove(description) || placesRobot(description) ? parent_body_ : body_)[joint.child] = body_[joint.parent];
+    parent_[joint.child] = joint.parent;
+    if (!canMove(description) && !placesRobot(description)) body_[joint.child] = body_[joint.parent];
     unsettled_[joint.child] = unsettled_[joint.parent];
     if (joint.paced || placesRobot(description)) unsettled_[joint.child].push_back(joints_.size());
     unsettled += unsettled_[joint.child].size();
@@ -171,6 +172,31 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
                   "floating and planar joints, counted once for each link below them, are more than a million; "
                   "fix some of these joints");
     joints_.push_back(std::move(joint));
+  }
+  findEnds(robot.links);
+}
+
+/// Links without geometry that fixed joints join are one place, which stands for the link with geometry at it. Where several are, nobody
+/// knows which of them touches what the joint moves.
+void Kinematics::findEnds(const std::vector<LinkDescription>& links) {
+  const auto is_bare = [&](std::size_t link) { return links[link].collisions.empty() && links[link].visuals.empty(); };
+  std::vector<std::size_t> place(links_), at_place(links_, links_);
+  std::vector<char> is_shared(links_, 0);
+  std::iota(place.begin(), place.end(), std::size_t{0});
+  const auto put = [&](std::size_t link, std::size_t at) {
+    if (at_place[at] != links_) is_shared[at] = 1;
+    at_place[at] = link;
+  };
+  for (const Joint& joint : joints_) {
+    if (body_[joint.child] != body_[joint.parent]) continue;
+    if (is_bare(joint.parent) && is_bare(joint.child)) place[joint.child] = place[joint.parent];
+    if (is_bare(joint.parent) && !is_bare(joint.child)) put(joint.child, place[joint.parent]);
+    if (!is_bare(joint.parent) && is_bare(joint.child)) put(joint.parent, joint.child);
+  }
+  end_.resize(links_);
+  for (std::size_t i = 0; i < links_; ++i) {
+    const std::size_t at = place[i];
+    end_[i] = is_bare(i) && at_place[at] != links_ ? (is_shared[at] ? links_ : at_place[at]) : i;
   }
 }
 
@@ -239,8 +265,11 @@ Chain Kinematics::chain(std::size_t link) const {
 }
 
 bool Kinematics::adjacent(std::size_t link, std::size_t other) const {
-  const std::size_t a = body_[link], b = body_[other];
-  return a == b || parent_body_[a] == b || parent_body_[b] == a;
+  const auto hangs_on = [&](std::size_t below, std::size_t above) {
+    const std::size_t child = body_[below], parent = parent_[child];
+    return parent != child && end_[child] == below && end_[parent] == above;
+  };
+  return body_[link] == body_[other] || hangs_on(link, other) || hangs_on(other, link);
 }
 
 bool Kinematics::settled(std::size_t link, std::size_t other) const {

@@ -183,8 +183,7 @@ Scene readOctomapScene(const std::string& file, const RunControl& control) {
     Octomap map{binary, headValue(head, "id"), 0, std::string_view(text).substr(data + kData.size())};
     if (!parseFinite(headValue(head, "res"), map.resolution))
       fail("has the resolution '" + headValue(head, "res") + "', which is not a number");
-    scene.name = "octomap";
-    addOctomap(scene, scene.name, map, Eigen::Isometry3d::Identity(), control);
+    addOctomap(scene, "octomap", map, Eigen::Isometry3d::Identity(), control);
   });
   return scene;
 }

@@ -147,6 +147,9 @@ void addBody(Scene& scene, SceneBody body) {
 Scene readScene(const std::string& file, const PackageFinder& find_package, const MeshLimits& limits, const RunControl& control,
                 const std::vector<std::string>& package_path) {
   std::optional<Scene> scene = readByExtension(file, {find_package, limits, control, package_path});
+  std::error_code none;
+  if (!scene && std::filesystem::is_directory(file, none))
+    throw Error(ErrorCode::kUnsupportedFormat, "'" + file + "' is a folder; give a scene file in it");
   if (!scene) {
     throw Error(ErrorCode::kUnsupportedFormat,
                 "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +

@@ -55,7 +55,7 @@ double YamlValue::number() const {
 }
 
 std::vector<YamlValue> YamlValue::items() const {
-  if (!isSequence()) fail("expected a list");
+  if (!isSequence()) fail("expected a list; an empty one is []");
   std::vector<YamlValue> result;
   for (const std::uint32_t item : node().children) result.push_back(valueAt(item));
   return result;

@@ -21,6 +21,8 @@ const std::set<std::string> kShapes{"box", "sphere", "cylinder", "cone", "plane"
 void expectKeys(const YamlValue& map, const std::set<std::string>& known) {
   std::set<std::string> seen;
   for (const std::string& key : map.keys()) {
+    if (!known.count(key) && key.rfind("frame", 0) == 0)
+      map.fail("'" + shown(key) + "' is not known here: all poses of a scene are in the frame of the robot's root link; remove it");
     if (!known.count(key))
       map.fail("'" + shown(key) + "' is not known here; use one of " + listed(known) + didYouMean(key, {known.begin(), known.end()}));
     if (!seen.insert(key).second) map.fail("'" + key + "' appears twice; remove one");

@@ -191,7 +191,10 @@ TEST(FitScene, GapNarrowerThanTheClearanceStillCounts) {
   const SceneFit fit = fitScene(problem, fitOptions(5));
   EXPECT_EQ(fit.elements[0].hulls.size(), 3u);
   ASSERT_FALSE(fit.report.notes.empty());
-  EXPECT_NE(fit.report.notes[0].find("c0 and post are hardly ever 5 m apart"), std::string::npos) << fit.report.notes[0];
+  EXPECT_NE(
+      fit.report.notes[0].find("1 pair is hardly ever 5 m apart, and counts as clear from half of its usual distance on: c0 and post ("),
+      std::string::npos)
+      << fit.report.notes[0];
 }
 
 TEST(FitScene, ChecksAFixedBodyNearerThanTheClearance) {
@@ -378,6 +381,9 @@ TEST(FitScene, ComparesTheFittedModelWithOthers) {
   EXPECT_EQ(row("uniform_adequate").phantom, 0u);
   EXPECT_EQ(row("uniform_adequate").hulls, 3u);
   EXPECT_GT(row("fitted").collision_us, 0);
+  EXPECT_EQ(fit.report.clear, row("fitted").clear);
+  EXPECT_EQ(fit.report.clear_of, 200u);
+  EXPECT_GT(fit.report.clear, 0u);
 }
 
 TEST(UpperBound, OfThePoissonDistribution) {

@@ -28,6 +28,48 @@ TEST_F(FitRobotToScene, SaysThatLinksTouchInTheGivenConfigurations) {
   EXPECT_FALSE(isNoted(run(robot), note)) << "of two, one is free";
 }
 
+TEST_F(FitRobotToScene, SaysThatNoConfigurationKeepsTheClearance) {
+  fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.02, 0.02, 0.02)));
+  const std::string robot = fixtures::link("base", "") + fixtures::link("box", collision(fixtures::meshTag("../meshes/box.obj"))) +
+                            "<joint name='a' type='prismatic'><parent link='base'/><child link='box'/><axis xyz='1 0 0'/>"
+                            "<limit lower='-0.4' upper='0.4' effort='1' velocity='1'/></joint>";
+  request_.scene.bodies = {{"left", boxShape({0.1, 1, 1}), at(-0.6, 0, 0)}, {"right", boxShape({0.1, 1, 1}), at(0.6, 0, 0)}};
+  request_.clearance = 0.6;  // at most 0.5 m from the farther of the two walls, and from the nearer one less
+  const RobotResult none = run(robot);
+  EXPECT_EQ(none.report.scene->clear, 0u);
+  EXPECT_EQ(none.report.scene->clear_of, 100u);
+  EXPECT_EQ(
+      none.report.notes.front().find("the original meshes keep 600 mm from the scene and from one another in none of 100 configurations"),
+      0u)
+      << fixtures::joined(none.report.notes);
+  request_.clearance = 0.01;
+  const RobotResult all = run(robot);
+  EXPECT_EQ(all.report.scene->clear, 100u);
+  EXPECT_FALSE(isNoted(all, "the original meshes keep"));
+}
+
+TEST_F(FitRobotToScene, NamesTheFirstGivenConfigurationThatTouchesTheScene) {
+  fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.02, 0.02, 0.02)));
+  const std::string robot = fixtures::link("base", "") + fixtures::link("box", collision(fixtures::meshTag("../meshes/box.obj"))) +
+                            "<joint name='a' type='prismatic'><parent link='base'/><child link='box'/><axis xyz='1 0 0'/>"
+                            "<limit lower='-0.4' upper='0.4' effort='1' velocity='1'/></joint>";
+  request_.scene.bodies = {{"wall", boxShape({0.1, 1, 1}), at(0.4, 0, 0)}};
+  request_.configurations = {{0}, {0.1}, {0.4}, {0.38}, {-0.1}};
+  EXPECT_TRUE(isNoted(run(robot), "touch the scene in 2 of 5 given configurations, the first of them number 3, box against wall; check"));
+}
+
+TEST_F(FitRobotToScene, SaysThatLinksTouchAtRest) {
+  fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.02, 0.02, 0.02)));
+  const std::string box = collision(fixtures::meshTag("../meshes/box.obj"));
+  const std::string robot = fixtures::link("base", box) + fixtures::link("rail", "") + fixtures::link("box", box) +
+                            "<joint name='a' type='fixed'><parent link='base'/><child link='rail'/></joint>"
+                            "<joint name='b' type='prismatic'><parent link='rail'/><child link='box'/><axis xyz='1 0 0'/>"
+                            "<limit lower='0' upper='0.4' effort='1' velocity='1'/></joint>";
+  EXPECT_FALSE(isNoted(run(robot), "touch there at rest")) << "the rail stands for the base";
+  const std::string mast = fixtures::link("mast", box) + "<joint name='c' type='fixed'><parent link='base'/><child link='mast'/></joint>";
+  EXPECT_TRUE(isNoted(run(robot + mast), "1 pair of links is left out (box and mast): the original meshes touch there at rest"));
+}
+
 TEST_F(FitRobotToScene, SaysThatABodyLiesInsideALink) {
   request_.scene.bodies[0] = {"peg", boxShape(Eigen::Vector3d::Constant(0.01)), at(0.1, 0.015, 0.05)};  // in the middle of a leg
   const RobotResult result = run(fixtures::link("base", bracket()));

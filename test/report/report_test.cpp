@@ -192,7 +192,7 @@ TEST(ReportTable, SaysWhatTheModelConsistsOf) {
     row.primitives = row.hulls, row.hulls = 0, row.least_hulls = std::min<std::size_t>(row.least_hulls, 1);
   const std::string spheres = toTable(report);
   for (const char* part :
-       {"  primitives  at least  ", "\nThe primitives cover", " compared primitives and meshes", " us with its primitives, "})
+       {"  primitives  at least  ", "\nThe primitives cover", " compared primitives and meshes", " us with the mesh's primitives, "})
     EXPECT_NE(spheres.find(part), std::string::npos) << part << "\n" << spheres;
   EXPECT_EQ(spheres.find("proved, no cover"), std::string::npos) << "none was sought\n" << spheres;
   report.links[0].hulls = 1;

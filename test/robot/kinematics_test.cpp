@@ -216,15 +216,50 @@ TEST(Kinematics, SamplesStayWithinTheLimits) {
   }
 }
 
+/// From link `parent` to link `child`.
+std::string joined(const std::string& type, const std::string& parent, const std::string& child) {
+  return "<joint name=\"" + parent + "_" + child + "\" type=\"" + type + "\"><parent link=\"" + parent + "\"/><child link=\"" + child +
+         "\"/>" + limit(-1, 1) + "</joint>";
+}
+
 TEST(Kinematics, AdjacentLinks) {
-  const Kinematics kinematics(robot(links(5) + joint(0, "revolute", limit(-1, 1)) + joint(1, "fixed") + joint(2, "continuous") +
-                                    joint(3, "prismatic", limit(0, 1))));
+  const Kinematics kinematics(
+      robot(links(5) + joint(0, "revolute", limit(-1, 1)) + joint(1, "fixed") + joint(2, "fixed") + joint(3, "prismatic", limit(0, 1))));
   EXPECT_TRUE(kinematics.adjacent(0, 1));
   EXPECT_TRUE(kinematics.adjacent(1, 2)) << "fixed to each other";
-  EXPECT_TRUE(kinematics.adjacent(2, 0)) << "link 2 is one with link 1";
-  EXPECT_TRUE(kinematics.adjacent(1, 3));
-  EXPECT_FALSE(kinematics.adjacent(0, 3));
-  EXPECT_FALSE(kinematics.adjacent(1, 4));
+  EXPECT_TRUE(kinematics.adjacent(1, 3)) << "fixed to each other";
+  EXPECT_TRUE(kinematics.adjacent(3, 4));
+  EXPECT_FALSE(kinematics.adjacent(0, 4));
+}
+
+TEST(Kinematics, WhatIsFixedToAJointsLinkIsNoNeighbourAcrossTheJoint) {
+  const std::string box = "<collision><geometry><box size=\"1 1 1\"/></geometry></collision>";
+  std::string text;
+  std::map<std::string, std::size_t> index;
+  const auto add = [&](const std::string& name, bool is_bare) {
+    index.emplace(name, index.size());
+    text += "<link name=\"" + name + "\">" + (is_bare ? "" : box) + "</link>";
+  };
+  for (const char* const name : {"base", "mast", "arm", "camera", "tool", "grip", "hand", "thumb"}) add(name, false);
+  for (const char* const name : {"elbow", "flange", "world", "plate", "palm"}) add(name, true);
+  const Kinematics kinematics(
+      robot(text + joined("fixed", "world", "base") + joined("fixed", "base", "mast") + joined("revolute", "base", "arm") +
+            joined("fixed", "arm", "camera") + joined("fixed", "arm", "elbow") + joined("fixed", "elbow", "flange") +
+            joined("revolute", "flange", "tool") + joined("revolute", "tool", "plate") + joined("fixed", "plate", "palm") +
+            joined("fixed", "palm", "grip") + joined("revolute", "grip", "hand") + joined("fixed", "elbow", "thumb")));
+  const auto adjacent = [&](const std::string& a, const std::string& b) {
+    EXPECT_EQ(kinematics.adjacent(index.at(a), index.at(b)), kinematics.adjacent(index.at(b), index.at(a)));
+    return kinematics.adjacent(index.at(a), index.at(b));
+  };
+  EXPECT_TRUE(adjacent("base", "arm"));
+  EXPECT_TRUE(adjacent("base", "mast")) << "fixed to each other";
+  EXPECT_FALSE(adjacent("mast", "arm")) << "the arm may swing into it";
+  EXPECT_FALSE(adjacent("base", "camera"));
+  EXPECT_TRUE(adjacent("tool", "grip")) << "plate and palm have no geometry";
+  EXPECT_TRUE(adjacent("grip", "hand"));
+  EXPECT_FALSE(adjacent("arm", "tool")) << "two links are fixed to elbow and flange; which of them touches the tool?";
+  EXPECT_FALSE(adjacent("thumb", "tool"));
+  EXPECT_FALSE(adjacent("camera", "tool"));
 }
 
 TEST(Kinematics, LinksAreSettledUnlessAJointBetweenThemIsOpen) {

@@ -140,6 +140,7 @@ TEST(Octomap, File) {
   const Scene scene = sceneOf(folder, "a.bt", head + downToTheMiddle(node({2})));
   ASSERT_EQ(scene.bodies.size(), 1u);
   EXPECT_EQ(scene.bodies[0].name, "octomap/1");
+  EXPECT_EQ(scene.name, "a") << "as its file";
   EXPECT_EQ(sceneOf(folder, "a.ot", "# Octomap OcTree file\nid OcTree\nres 0.1\ndata\n" + node(1, 0)).bodies.size(), 1u);
   EXPECT_THROW(sceneOf(folder, "b.bt", "rubbish"), Error);
   EXPECT_THROW(sceneOf(folder, "c.bt", "# Octomap OcTree binary file\nid OcTree\nsize 1\ndata\n" + node({2})), Error);

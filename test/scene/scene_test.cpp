@@ -10,6 +10,7 @@ TEST(ReadScene, RejectsUnknownAndMissingFiles) {
   const TemporaryFolder folder;
   expectError(ErrorCode::kUnsupportedFormat, {"a.txt", ".scene", ".yaml"}, [&] { sceneOf(folder, "a.txt", "x"); });
   expectError(ErrorCode::kUnsupportedFormat, {".yaml"}, [&] { readScene("", noPackages()); });
+  expectError(ErrorCode::kUnsupportedFormat, {"is a folder; give a scene file in it"}, [&] { readScene(folder.path(""), noPackages()); });
   for (const char* name : {"a.scene", "a.urdf", "a.sdf", "a.yaml", "a.stl"}) {
     expectError(ErrorCode::kFileNotFound, {name}, [&] { readScene(folder.path(name), noPackages()); });
   }

@@ -105,6 +105,7 @@ TEST(YamlScene, AKeyThatIsAlmostKnownIsSuggested) {
   };
   expectBad({"body 'a': 'poes' is not known here", "did you mean 'pose'?"}, "bodies: [{name: a, sphere: 1, poes: {}}]");
   expectBad({"body 'a', pose: 'xyzs' is not known here", "did you mean 'xyz'?"}, "bodies: [{name: a, sphere: 1, pose: {xyzs: [0, 0, 0]}}]");
+  expectBad({"'frame_id' is not known here: all poses of a scene are in the frame of the robot's root link"}, "frame_id: a\nbodies: []");
   expectBad({"'boddies' is not known here", "did you mean 'bodies'?"}, "boddies: []");
 }
 

@@ -154,9 +154,12 @@ struct FitReport {
   /// upper bound over all configurations, at 95 % confidence and at most 1; 0 if the configurations
   /// were given
   double phantom_rate_bound = 0;
+  /// of the first `clear_of` samples, those in which the original keeps its clearance: what false
+  /// collisions are counted among
+  std::size_t clear = 0, clear_of = 0;
   /// counterexamples that even the finest hulls of the trees do not cure
   std::size_t leaf_contacts = 0;
-  std::string leaf_contact;  ///< the first of them
+  std::string leaf_contact;  ///< the pairs that have most of them, with the distance in one
   std::size_t pairs = 0, proved_pairs = 0;
   /// [us] to decide whether a configuration is free, with a BoxedModel on one thread; skips the
   /// pairs of links that are proved apart, as the written SRDF does
@@ -168,8 +171,10 @@ struct FitReport {
   /// where the original at rest collides with the scene, as in "base against shelf" or, if a body
   /// lies inside a link's mesh, "peg inside base"; empty: nowhere
   std::string scene_contact;
-  /// samples in which the original collides with the scene
+  /// samples in which the original collides with the scene, and the first of them, as in
+  /// "number 12, base against shelf"
   std::size_t scene_hits = 0;
+  std::string first_scene_hit;
   std::vector<FittedLink> links;
   std::vector<LeftOutPair> left_out;
   std::vector<PairHits> self;  ///< pairs of links that have a false collision before or after

@@ -100,9 +100,10 @@ class Kinematics {
   /// How the joints move a link (index).
   Chain chain(std::size_t link) const;
 
-  /// Whether two links (indices) are one, touch by design, or never move against each other: fixed
-  /// joints make links one, and those that a joint joins touch. Collision checks leave such pairs
-  /// out.
+  /// Whether two links (indices) never move against each other, since only fixed joints are between
+  /// them, or touch by design: those that a joint joins do. A link without geometry at the joint's
+  /// end stands for the one link that is fixed to it, if there is one. A mast on the base is no
+  /// neighbour of the arm. Collision checks leave adjacent pairs out.
   bool adjacent(std::size_t link, std::size_t other) const;
 
   /// Whether the variables within their limits tell all places that two links (indices) can have
@@ -130,10 +131,11 @@ class Kinematics {
   std::vector<Joint> joints_;  // parents before children
   std::vector<JointVariable> variables_;
   std::size_t links_ = 0;
-  // per link: the first of those that fixed joints join to it
-  std::vector<std::size_t> body_;
-  // per body (a link's index): that which its joint hangs on; itself for the root
-  std::vector<std::size_t> parent_body_;
+  void findEnds(const std::vector<LinkDescription>& links);
+  // per link: its parent, itself for the root; the first of those that fixed joints join to it; and
+  // the link with geometry that touches what a joint joins to it: itself, or of a link without
+  // geometry the one that is fixed to it
+  std::vector<std::size_t> parent_, body_, end_;
   // per link: the joints on the way from the root that are floating, planar or paced
   std::vector<std::vector<std::size_t>> unsettled_;
 };

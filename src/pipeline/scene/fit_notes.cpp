@@ -11,12 +11,14 @@
 #include "base/decimal.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "pipeline/mesh_result.h"
+#include "report/text_table.h"
 
 namespace collision_hulls {
 namespace {
 
 constexpr double kOften = 0.01;  // of the samples: if a pair of links collides in more though its meshes do not, there is a note
 constexpr double kMost = 0.5;    // of the samples: if the robot touches the scene in more, there is a note
+constexpr double kFew = 0.02;    // of the samples: if the robot keeps the clearance in fewer, there is a note
 
 /// On links and bodies of the scene that are not checked against each other; empty: there are none.
 std::string noteOnScenePairs(const FitReport& fit) {
@@ -58,6 +60,28 @@ std::string noteOnNearPairs(const FitReport& fit) {
          "; if they have to work closer together than the clearance, use a smaller clearance";
 }
 
+/// On false collisions that nobody could find, since the meshes hardly ever keep the clearance; empty: they do.
+std::string noteOnFewClear(const FitReport& fit) {
+  if (static_cast<double>(fit.clear) >= kFew * static_cast<double>(fit.clear_of)) return "";
+  return "the original meshes keep " + figureInMillimetres(fit.clearance) + " mm from the scene and from one another in " +
+         (fit.clear == 0 ? "none" : "only " + std::to_string(fit.clear)) + " of " + counted(fit.clear_of, "configuration") + ", so " +
+         (fit.clear == 0 ? "the fit had nothing to learn from and its check for false collisions says nothing"
+                         : "the fit learned from few, and its check for false collisions says little") +
+         "; use a smaller clearance, or give the configurations that matter";
+}
+
+/// On links that are left out because they touch at rest, though often not elsewhere; empty: there are none.
+std::string noteOnRestContacts(const FitReport& fit) {
+  const auto is_default = [](const LeftOutPair& pair) { return pair.reason == "Default"; };
+  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_default);
+  if (first == fit.left_out.end()) return "";
+  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_default));
+  return counted(count, "pair") + " of links " + (count == 1 ? "is" : "are") + " left out (" + first->first + " and " + first->second +
+         (count == 1 ? "" : ", for one") + "): the original meshes touch there at rest, though not in all configurations, so the check " +
+         "says nothing about " + (count == 1 ? "it" : "them") + ", and the SRDF disables " + (count == 1 ? "it" : "them") +
+         "; delete there what has to be checked";
+}
+
 /// [m] From the root's origin to a hull's bounding box, or to a mesh, in which a robot may stand.
 double distanceTo(const SceneBody& body) {
   if (const auto* const hull = std::get_if<ConvexHull>(&body.shape)) {
@@ -96,27 +120,34 @@ std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped)
 }
 
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted) {
-  std::vector<std::string> notes = fit.notes;
+  std::vector<std::string> notes;
+  if (const std::string note = noteOnFewClear(fit); !note.empty()) notes.push_back(note);
+  if (fit.leaf_contacts > 0) {
+    notes.push_back(counted(fit.leaf_contacts, "counterexample") + (fit.leaf_contacts == 1 ? " remains" : " remain") +
+                    " even with the finest hulls: " + fit.leaf_contact +
+                    "; give these links a smaller tolerance in the configuration, or all links by --tolerance");
+  }
+  notes.insert(notes.end(), fit.notes.begin(), fit.notes.end());
   if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were left out of the fit");
   if (unfitted > 0)
     notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
   if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnGivenContacts(fit); !note.empty()) notes.push_back(note);
+  if (const std::string note = noteOnRestContacts(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnNearPairs(fit); !note.empty()) notes.push_back(note);
   if (!fit.scene_contact.empty())
     notes.push_back("the original meshes are in contact with the scene at rest: " + fit.scene_contact +
                     "; check the scene's pose unless the robot really stands like that");
-  const std::string touched =
-      "the original meshes touch the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
-  if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations; check these unless the contact is meant");
+  const bool is_partial = !noteOnScenePairs(fit).empty();
+  const std::string touched = "the original meshes touch the scene" + std::string(is_partial ? ", pairs that are left out aside," : "") +
+                              " in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
+  if (fit.scene_hits > 0 && fit.given)
+    notes.push_back(touched + " given configurations, the first of them " + fit.first_scene_hit +
+                    "; check these unless the contact is meant");
   if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))
     notes.push_back(touched +
                     " sampled configurations, and a fit learns from the others alone; if the robot does not stand there, move the " +
                     "scene, or give the configurations that matter");
-  if (fit.leaf_contacts > 0) {
-    notes.push_back(counted(fit.leaf_contacts, "counterexample") + (fit.leaf_contacts == 1 ? " remains" : " remain") +
-                    " even with the finest hulls, such as " + fit.leaf_contact + "; use a smaller tolerance");
-  }
   return notes;
 }
 

@@ -266,8 +266,8 @@ Chain Kinematics::chain(std::size_t link) const {
 
 bool Kinematics::adjacent(std::size_t link, std::size_t other) const {
   const auto hangs_on = [&](std::size_t below, std::size_t above) {
-    const std::size_t child = body_[below], parent = parent_[child];
-    return parent != child && end_[child] == below && end_[parent] == above;
+    const std::size_t child = body_[below];
+    return end_[child] == below && end_[parent_[child]] == above;
   };
   return body_[link] == body_[other] || hangs_on(link, other) || hangs_on(other, link);
 }

@@ -78,6 +78,25 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(0, status, err)
         self.assertIn("'nothing'", out)
 
+    def test_options_of_a_fit(self):
+        with open(self.folder.file("empty.yaml"), "w", encoding="utf-8") as file:
+            file.write("name: nothing\nbodies: []\n")
+        with open(self.folder.file("robot.srdf"), "w", encoding="utf-8") as file:
+            file.write('<robot name="another"><disable_collisions link1="no" link2="such" reason="Never"/></robot>')
+        fit = [self.urdf(self.folder.small_robot()), "-o", self.folder.output, "--scene", self.folder.file("empty.yaml"), "--clearance", "2cm"]
+        status, out, err = self.run_client(*fit, "--samples", "123", "--hulls-only")
+        self.assertEqual(0, status, err)
+        self.assertIn("123 random configurations", out)
+        self.assertNotIn("primitive", out)
+        for more, word in ((["--srdf", self.folder.file("robot.srdf")], "give the SRDF of this robot"),
+                           (["--srdf", "nosuch.srdf"], "SRDF 'nosuch.srdf' is no file"),
+                           (["--configurations", "nosuch.csv"], "configurations 'nosuch.csv' is no file"),
+                           (["--max-step", "0.1"], "none are given")):
+            status, out, err = self.run_client(*fit, *more)
+            self.assertEqual((2, ""), (status, out), more)
+            self.assertIn(word, err)
+        self.assertIn("--samples is for a fit", self.run_client(fit[0], "--samples", "9")[2])
+
     def test_interrupts_cancel(self):
         for interrupt in (signal.SIGINT, signal.SIGTERM):
             client = self.start_slow()

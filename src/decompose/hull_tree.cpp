@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <queue>
+#include <string>
 #include <utility>
+
+#include "collision_hulls/error.h"
 
 namespace collision_hulls {
 
@@ -66,7 +69,12 @@ bool HullTree::isCut(const std::vector<int>& cut) const {
 
 std::vector<ConvexHull> HullTree::hullsOf(const std::vector<int>& cut) const {
   std::vector<ConvexHull> hulls;
-  for (int id : cut) hulls.push_back(nodes[static_cast<std::size_t>(id)].hull);
+  for (int id : cut) {
+    if (id < 0 || static_cast<std::size_t>(id) >= nodes.size())
+      throw Error(ErrorCode::kIndexOutOfRange, "the cut has node " + std::to_string(id) + ", but the tree has " +
+                                                   std::to_string(nodes.size()) + ", counted from 0; give a cut of this tree");
+    hulls.push_back(nodes[static_cast<std::size_t>(id)].hull);
+  }
   return hulls;
 }
 

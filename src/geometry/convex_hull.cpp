@@ -260,7 +260,8 @@ Eigen::AlignedBox3d boundingBox(const ConvexHull& hull) {
 }
 
 bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
-  return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) { return face.distance(p) > 0; });
+  const auto holds_it = [&](const HalfSpace& face) { return face.distance(p) <= 0; };  // not so of NaN
+  return !hull.faces.empty() && std::all_of(hull.faces.begin(), hull.faces.end(), holds_it);
 }
 
 ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose) {
@@ -274,13 +275,17 @@ ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose) {
 }
 
 double planeDistance(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  if (!p.allFinite()) return std::numeric_limits<double>::quiet_NaN();  // which std::max() would drop
+  if (hull.faces.empty()) return std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
   for (const HalfSpace& face : hull.faces) most = std::max(most, face.distance(p));
   return most;
 }
 
 double distance(const ConvexHull& hull, const Eigen::Vector3d& p) {
-  if (planeDistance(hull, p) <= 0) return 0;
+  const double beyond = planeDistance(hull, p);
+  if (!std::isfinite(beyond)) return beyond;
+  if (beyond <= 0) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (const Triangle& t : hull.triangles) {
     const auto at = [&](std::size_t k) -> const Eigen::Vector3d& { return hull.vertices[static_cast<std::size_t>(t[k])]; };

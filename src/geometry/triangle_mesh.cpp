@@ -1,12 +1,34 @@
 // Sums over a mesh's triangles, and copies of a mesh scaled or moved.
 #include "collision_hulls/geometry/triangle_mesh.h"
 
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/looks.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
+
+void check(const TriangleMesh& mesh, const RunControl& control) {
+  Looks look(control);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    look();
+    for (const int v : mesh.triangles[t]) {
+      if (v < 0 || static_cast<std::size_t>(v) >= mesh.vertices.size())
+        throw Error(ErrorCode::kIndexOutOfRange, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
+                                                     ", but the mesh has " + std::to_string(mesh.vertices.size()) +
+                                                     " vertices, counted from 0; correct or remove it");
+      const Eigen::Vector3d& p = mesh.vertices[static_cast<std::size_t>(v)];
+      if (!p.allFinite()) {
+        const double wrong = !std::isfinite(p.x()) ? p.x() : !std::isfinite(p.y()) ? p.y() : p.z();
+        throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has the coordinate " + decimal(wrong) +
+                                                         ", which is not a finite number; correct or remove it");
+      }
+    }
+  }
+}
 
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;

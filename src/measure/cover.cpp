@@ -219,6 +219,7 @@ std::vector<std::vector<Eigen::Vector3d>> uncoveredPolygons(const TriangleMesh& 
 }
 
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control) {
+  check(mesh, control);  // no comparison with NaN finds anything uncovered
   const Hulls set(mesh, hulls);
   return largestDistance(uncoveredPolygons(mesh, hulls, control), set, kPiecesOfMesh, control);
 }

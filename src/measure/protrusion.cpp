@@ -11,6 +11,7 @@
 
 #include "base/looks.h"
 #include "base/parallel.h"
+#include "base/positive_length.h"
 #include "geometry/hull_support.h"
 #include "measure/halves_by_place.h"
 #include "measure/outside_distance.h"
@@ -147,6 +148,7 @@ class Summits {
 }  // namespace
 
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control) {
+  expectPositiveLength("the gap of a bound on the protrusion", gap);
   return protrusion(hulls, solid, {gap, 0, 0}, control);
 }
 

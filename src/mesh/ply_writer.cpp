@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 
 namespace collision_hulls {
@@ -28,9 +29,22 @@ struct Body {
   }
 };
 
+void checkParts(const TriangleMesh& mesh, const std::vector<std::vector<int>>& parts, const std::vector<Rgb>& colours) {
+  check(mesh);
+  const auto refuse = [](const std::string& text) { throw Error(ErrorCode::kIndexOutOfRange, text); };
+  if (colours.size() < parts.size())
+    refuse("a mesh of " + std::to_string(parts.size()) + " parts has " + std::to_string(colours.size()) + " colours; give one for each");
+  for (const std::vector<int>& part : parts)
+    for (const int t : part)
+      if (t < 0 || static_cast<std::size_t>(t) >= mesh.triangles.size())
+        refuse("a part names triangle " + std::to_string(t) + ", but the mesh has " + std::to_string(mesh.triangles.size()) +
+               ", counted from 0; correct the part");
+}
+
 }  // namespace
 
 std::string encodePly(const TriangleMesh& mesh, const std::vector<std::vector<int>>& parts, const std::vector<Rgb>& colours) {
+  checkParts(mesh, parts, colours);
   Body body;
   std::vector<std::int32_t> place(mesh.vertices.size()), used_by(mesh.vertices.size(), -1);
   for (std::size_t k = 0; k < parts.size(); ++k) {

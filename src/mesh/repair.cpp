@@ -38,22 +38,7 @@ void check(const TriangleMesh& mesh, const RepairOptions& options, const RunCont
     throw Error(ErrorCode::kBadOption, "weld tolerance " + fixedDecimal(options.weld_tolerance) +
                                            " is out of range; give a share of the mesh's extent from 0 to " +
                                            fixedDecimal(kLargestWeldTolerance));
-  Looks look(control);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    look();
-    for (const int v : mesh.triangles[t]) {
-      if (v < 0 || at(v) >= mesh.vertices.size())
-        throw Error(ErrorCode::kIndexOutOfRange, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                                     ", but the mesh has " + std::to_string(mesh.vertices.size()) +
-                                                     " vertices, counted from 0; correct or remove it");
-      const Eigen::Vector3d& p = mesh.vertices[at(v)];
-      if (!p.allFinite()) {
-        const double wrong = !std::isfinite(p.x()) ? p.x() : !std::isfinite(p.y()) ? p.y() : p.z();
-        throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has the coordinate " + decimal(wrong) +
-                                                         ", which is not a finite number; correct or remove it");
-      }
-    }
-  }
+  check(mesh, control);
 }
 
 bool isDegenerate(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t, double extent) {

@@ -51,8 +51,9 @@ Eigen::Vector3d halfSides(const QueryShape& shape) {
 
 }  // namespace
 
-QueryBody::QueryBody(const ConvexHull& hull)
-    : impl_(std::make_shared<const Impl>(Impl{fclConvex(hull)})), box_(boundingBox(hull)), corners_(hull.vertices.size()) {}
+QueryBody::QueryBody(const ConvexHull& hull) : box_(boundingBox(hull)), corners_(hull.vertices.size()) {
+  if (!hull.vertices.empty()) impl_ = std::make_shared<const Impl>(Impl{fclConvex(hull)});
+}
 
 QueryBody::QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin)
     : impl_(std::make_shared<const Impl>(Impl{geometryOf(shape), origin})), box_(placed({-halfSides(shape), halfSides(shape)}, origin)) {}

@@ -270,6 +270,23 @@ TEST(ConvexHull, TheSurfaceIsItsTriangles) {
 
 // Random input.
 
+TEST(ConvexHull, HoldsNothingThatIsNotFinite) {
+  const ConvexHull hull = convexHull(test_shapes::box(1, 1, 1).vertices);
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(nan, nan, nan), {nan, 0.5, 0.5}, {0.5, 0.5, nan}, {infinity, 0.5, 0.5}, {0.5, -infinity, 0}}) {
+    EXPECT_FALSE(holds(hull, p)) << p.transpose();
+    EXPECT_TRUE(std::isnan(planeDistance(hull, p))) << p.transpose();
+    EXPECT_TRUE(std::isnan(distance(hull, p))) << p.transpose();
+  }
+}
+
+TEST(ConvexHull, NothingLiesInOneWithoutFaces) {
+  EXPECT_FALSE(holds(ConvexHull(), {0, 0, 0}));
+  EXPECT_EQ(planeDistance(ConvexHull(), {0, 0, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(distance(ConvexHull(), {0, 0, 0}), std::numeric_limits<double>::infinity());
+}
+
 TEST(ConvexHull, RandomSetsOfAnySizeAnywhere) {
   for (std::uint32_t seed = 0; seed < 150; ++seed) {
     SCOPED_TRACE(seed);

@@ -34,6 +34,27 @@ TEST(TriangleMesh, IgnoresUnusedVertices) {
   EXPECT_DOUBLE_EQ(diagonal(mesh), std::sqrt(2.0));
 }
 
+TEST(CheckMesh, LetsWhatIsUsedDecide) {
+  const auto code = [](const TriangleMesh& mesh) {
+    try {
+      check(mesh);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::kInternal;  // nothing was thrown
+  };
+  TriangleMesh mesh = test_shapes::singleTriangle();
+  mesh.vertices.emplace_back(0, std::nan(""), 0);
+  EXPECT_EQ(code(mesh), ErrorCode::kInternal) << "no triangle has that vertex";
+  mesh.triangles.push_back({0, 1, 3});
+  EXPECT_EQ(code(mesh), ErrorCode::kNonFiniteCoordinate);
+  for (const int wrong : {-1, 4}) {
+    mesh.triangles.back() = {0, 1, wrong};
+    EXPECT_EQ(code(mesh), ErrorCode::kIndexOutOfRange);
+  }
+  EXPECT_EQ(code({}), ErrorCode::kInternal);
+}
+
 TEST(TriangleMesh, RejectsAZeroOrNonFiniteScale) {
   for (double bad : {0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     try {

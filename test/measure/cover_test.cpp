@@ -32,6 +32,22 @@ TEST(Uncovered, WithoutHullsNothingIsCovered) {
   EXPECT_EQ(uncovered({}, {boxHull({0, 0, 0}, {1, 1, 1})}), 0);
 }
 
+TEST(Uncovered, RefusesMeshesThatAreNotSound) {
+  const std::vector<ConvexHull> hulls{boxHull({0, 0, 0}, {1, 1, 1})};
+  const Vector3d nowhere = Vector3d::Constant(std::nan("")), here(0.5, 0.5, 0.5);
+  const auto code = [&](const TriangleMesh& mesh) {
+    try {
+      uncovered(mesh, hulls);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  };
+  EXPECT_EQ(code({{nowhere, nowhere, nowhere}, {{0, 1, 2}}}), ErrorCode::kNonFiniteCoordinate);
+  EXPECT_EQ(code({{here, here, nowhere}, {{0, 1, 2}}}), ErrorCode::kNonFiniteCoordinate);
+  EXPECT_EQ(code({{here, here, here}, {{0, 1, 3}}}), ErrorCode::kIndexOutOfRange);
+}
+
 TEST(Uncovered, TrianglesWithoutArea) {
   const std::vector<ConvexHull> hulls{boxHull({0, 0, 0}, {1, 1, 1})};
   const std::vector<Vector3d> points{{0.5, 0.5, 0.5}, {0.7, 0.5, 0.5}, {0.5, 0.5, 3}};

@@ -60,6 +60,11 @@ TEST(Protrusion, ARowOfBoxesInOneHull) {
 
 // Degenerate input.
 
+TEST(Protrusion, NeedsAGap) {
+  const TriangleMesh box = test_shapes::box(1, 1, 1);
+  for (const double gap : {0.0, -1.0, std::nan("")}) EXPECT_THROW(protrusion({hullOf(box)}, solidOf(box), gap), Error);
+}
+
 TEST(Protrusion, NoHulls) {
   const Protrusion p = protrusion({}, solidOf(test_shapes::box(1, 1, 1)), 0.01);
   EXPECT_EQ(p.bound, 0);

@@ -106,6 +106,17 @@ TEST(EncodePly, SharedVerticesAreWrittenOncePerPartInItsColour) {
   EXPECT_EQ(bytes.substr(bytes.size() - 4, 1), "\x01");  // the last face's part
 }
 
+TEST(EncodePly, RefusesIndicesOutOfRange) {
+  const ConvexHull body = tetrahedron({0, 0, 0}, 1);
+  const TriangleMesh mesh{body.vertices, body.triangles};
+  TriangleMesh wrong = mesh;
+  wrong.triangles[0][0] = 4;
+  const std::vector<Rgb> colours{Rgb{1, 2, 3}};
+  EXPECT_THROW(encodePly(wrong, {{0}}, colours), Error);
+  for (const int triangle : {-1, 4}) EXPECT_THROW(encodePly(mesh, {{triangle}}, colours), Error);
+  EXPECT_THROW(encodePly(mesh, {{0}, {1}}, colours), Error);
+}
+
 TEST(MeshFormat, Names) {
   for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kDae})
     EXPECT_EQ(format, meshFormatNamed(extension(format) + 1));

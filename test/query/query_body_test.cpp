@@ -53,6 +53,12 @@ TEST(QueryBody, AMeshWithoutAreaIsEmptyAndTouchesNothing) {
   EXPECT_EQ(distanceBelow(0.7, none, cube, Eigen::Isometry3d::Identity()), 0.7);
 }
 
+TEST(QueryBody, AHullWithoutVerticesIsEmpty) {
+  const QueryBody none{ConvexHull()};
+  EXPECT_TRUE(none.empty());
+  EXPECT_FALSE(touch(none, QueryBody(boxHull(Vector3d::Zero(), Vector3d::Ones())), Eigen::Isometry3d::Identity()));
+}
+
 TEST(Apart, AgreesWithTheBoxesHulls) {
   RandomPoints random(7);
   int separated = 0;

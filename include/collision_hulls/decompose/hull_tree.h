@@ -2,6 +2,8 @@
 //
 // For example:
 //
+//     #include "collision_hulls/decompose/certified.h"
+//
 //     const HullTree tree = hullTree(repair(mesh), options);
 //     const std::vector<ConvexHull> coarse = tree.hullsOf(tree.cutAt(0.05));  // within 5 cm
 //     const std::vector<ConvexHull> few = tree.hullsOf(tree.cutTo(8));        // at most 8
@@ -41,7 +43,7 @@ struct HullTree {
   /// Whether these nodes form a cut.
   bool isCut(const std::vector<int>& nodes) const;
 
-  /// The hulls of a cut, in the cut's order.
+  /// The hulls of a cut, in the cut's order. Throws kIndexOutOfRange for a node that is not there.
   std::vector<ConvexHull> hullsOf(const std::vector<int>& cut) const;
 };
 

@@ -40,9 +40,10 @@ struct ConvexHull {
 };
 
 /// The convex hull of `points` (metres, any frame). Degenerate sets are thickened outward: a point
-/// becomes a small tetrahedron-like body, a line a thin rod, a plane a thin plate. The thickness is
-/// the least that keeps the faces distinguishable in double precision (1e-6 of the set's extent);
-/// it is reported as `thickness`. Deterministic. Thread safe. Throws kEmptyMesh if there are no
+/// becomes a small body of six vertices, a line a thin rod, a plane a thin plate. The thickness is
+/// the least that keeps the faces distinguishable in double precision: 1e-6 of the set's extent or
+/// 1e-12 of the coordinates' size if that is larger, and for a point 1e-9 m at least. It is
+/// reported as `thickness`. Deterministic. Thread safe. Throws kEmptyMesh if there are no
 /// points, kNonFiniteCoordinate for a NaN or an infinity, kCancelled.
 ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points, const RunControl& control = {});
 
@@ -50,17 +51,20 @@ ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points, const RunContr
 double volume(const ConvexHull& hull);
 Eigen::AlignedBox3d boundingBox(const ConvexHull& hull);
 
-/// Whether p lies in the hull.
+/// Whether p lies in the hull. Nothing lies in one without faces, and no point does whose
+/// coordinates are not finite.
 bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
 
 /// The hull moved by a rigid transform.
 ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose);
 
 /// The largest signed distance of p from a face's plane [m]; <= 0 inside. Outside, it is a lower
-/// bound on the distance to the hull.
+/// bound on the distance to the hull. Infinite for a hull without faces, NaN for a point that is
+/// not finite.
 double planeDistance(const ConvexHull& hull, const Eigen::Vector3d& p);
 
-/// Euclidean distance from p to the hull [m], 0 inside. Exact.
+/// Euclidean distance from p to the hull [m], 0 inside. Exact. Without faces, or for a point that
+/// is not finite, as planeDistance().
 double distance(const ConvexHull& hull, const Eigen::Vector3d& p);
 
 /// The hull's surface as a mesh.

@@ -48,7 +48,7 @@ class TriangleBvh {
   };
   /// The nearest point of the surface that is closer than `limit` [m]. Exact. `hint` (a triangle's
   /// index, or -1) is tried first: passing on a neighbouring query's answer is faster and gives the
-  /// same result.
+  /// same distance, but of several triangles at that distance perhaps another.
   Nearest nearest(const Eigen::Vector3d& p, double limit = std::numeric_limits<double>::infinity(),
                   int hint = -1) const;
 

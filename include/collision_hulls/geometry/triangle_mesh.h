@@ -5,13 +5,18 @@
 #include <array>
 #include <vector>
 
+#include "collision_hulls/control.h"
+
 namespace collision_hulls {
 
 using Triangle = std::array<int, 3>;
 
 /// Indexed triangles; coordinates in metres, in the caller's frame (a link's, unless noted
-/// otherwise). Corners run counter-clockwise seen from outside, where the mesh has an outside. No
-/// invariant: a mesh read from a file may hold anything.
+/// otherwise). Corners run counter-clockwise seen from outside, where the mesh has an outside.
+///
+/// No invariant: a caller's mesh may hold anything. Functions that list kIndexOutOfRange and
+/// kNonFiniteCoordinate, as repair() and certifiedHulls() do, refuse one that is not sound; all
+/// others expect what check() lets pass.
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<Triangle> triangles;
@@ -21,6 +26,10 @@ struct TriangleMesh {
         triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)])];
   }
 };
+
+/// Throws kIndexOutOfRange for a triangle that names a vertex that is not there,
+/// kNonFiniteCoordinate for one whose corner is NaN or infinite, kCancelled.
+void check(const TriangleMesh& mesh, const RunControl& control = {});
 
 /// The axis-aligned box of the vertices used by triangles; empty for a mesh without triangles.
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);

@@ -20,7 +20,8 @@ namespace collision_hulls {
 /// only if they cover it. A triangle whose corners lie in one hull is covered; any other is clipped
 /// by the hulls until nothing is left. The result is never too small, and too large by at most 1 %
 /// unless the gaps take more than 400,000 pieces. Distances below 1e-12 of the
-/// coordinates' size are rounding errors of this computation and count as 0.
+/// coordinates' size are rounding errors of this computation and count as 0. Throws what check() of
+/// a mesh throws: kIndexOutOfRange, kNonFiniteCoordinate, kCancelled.
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
                  const RunControl& control = {});
 
@@ -41,7 +42,7 @@ struct Protrusion {
 /// plane of an opening) or in 60,000 in its interior (as along a narrow gap). A bound below twelve
 /// gaps is final after 100,000 steps. For rounding, the bound includes 1e-12 of the size of the
 /// hulls' coordinates or of the mesh's extent, what of a hull may lie beyond its triangles, and
-/// Solid::sideError().
+/// Solid::sideError(). Throws kBadOption for a gap that is not positive and finite, kCancelled.
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap,
                       const RunControl& control = {});
 

@@ -33,13 +33,13 @@ struct QueryShape {
 /// share the body; thread safe.
 class QueryBody {
  public:
-  explicit QueryBody(const ConvexHull& hull);
+  explicit QueryBody(const ConvexHull& hull);  ///< empty if the hull has no vertices
   /// `origin`: the shape's frame in the body's
   QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin);
   /// leaves out triangles without area; throws kCancelled
   explicit QueryBody(const TriangleMesh& mesh, const RunControl& control = {});
 
-  /// true for a mesh without any area; such a body touches nothing
+  /// true for a mesh without any area and a hull without vertices; such a body touches nothing
   bool empty() const { return !impl_; }
   const Eigen::AlignedBox3d& box() const { return box_; }  ///< [m] in the body's frame
   std::size_t corners() const { return corners_; }  ///< vertices of a hull; 0 for other bodies

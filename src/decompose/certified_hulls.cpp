@@ -16,9 +16,9 @@
 #include <optional>
 #include <utility>
 
-#include "base/decimal.h"
 #include "base/millimetres.h"
 #include "base/parallel.h"
+#include "base/positive_length.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/decompose/least_hulls.h"
 #include "collision_hulls/decompose/round_outward.h"
@@ -26,6 +26,7 @@
 #include "decompose/certified/lower_bound.h"
 #include "decompose/finest_tolerance.h"
 #include "decompose/hulls_of_tree.h"
+#include "decompose/margin.h"
 #include "decompose/padding.h"
 #include "measure/protrusion.h"
 
@@ -53,11 +54,10 @@ struct Attempt {
   double blunted = 0;                      // [m] see RoundedHulls
 };
 
+/// Hulls are certified against the tolerance, also those of methods that ignore it.
 void checkTolerance(const DecomposeOptions& options) {
   check(options);
-  if (options.tolerance > 0 && std::isfinite(options.tolerance)) return;
-  throw Error(ErrorCode::kBadOption,
-              "tolerance is " + fixedDecimal(options.tolerance) + " m; it must be a positive length, which hulls are certified against");
+  expectPositiveLength("tolerance", options.tolerance);
 }
 
 std::vector<RegionProof> regionProofs(const std::vector<ConvexHull>& hulls, const PreparedMesh& mesh, const std::vector<Region>& regions,
@@ -269,6 +269,8 @@ void expectResolvableTolerances(const PreparedMesh& mesh, const DecomposeOptions
 
 Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance,
                        const RunControl& control) {
+  expectPositiveLength("tolerance", tolerance);
+  expectMargin(margin);
   const double gap = kCertificateGap * tolerance;
   Protrusion result = protrusion(hulls, solid, {gap, kCertificateGap, 0}, control);
   const double room = tolerance - margin - result.found;
@@ -292,6 +294,8 @@ void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hull
 
 CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   checkTolerance(options);
+  check(mesh.original, control);
+  expectMargin(mesh.margin, mesh.repaired.counts.weld_distance);
   expectResolvableTolerances(mesh, options);
   RunControl decomposing, certifying;
   double done = 0;

@@ -1,11 +1,13 @@
 // Selects the method, then applies the caps. certified applies them itself, since they affect what it may merge.
 #include "collision_hulls/decompose/decompose.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 
 #include "base/decimal.h"
+#include "base/positive_length.h"
 #include "collision_hulls/decompose/acd.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/decompose/hacd.h"
@@ -19,8 +21,13 @@ namespace collision_hulls {
 void check(const DecomposeOptions& options) {
   const auto refuse = [](const std::string& text) { throw Error(ErrorCode::kBadOption, text); };
   const bool needs_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
-  if (needs_tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
-    refuse("tolerance is " + fixedDecimal(options.tolerance) + " m; it must be a positive length");
+  const auto expect_known = [&](const char* option, const auto& all, auto value) {
+    if (std::find(all.begin(), all.end(), value) != all.end()) return;
+    refuse(std::string(option) + " is " + std::to_string(static_cast<int>(value)) + ", which none has; use an enumerator");
+  };
+  expect_known("method", allMethods(), options.method);
+  expect_known("effort", allEfforts(), options.effort);
+  if (needs_tolerance) expectPositiveLength("tolerance", options.tolerance);
   if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no limit");
   if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
     refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least " + std::to_string(kLeastVertices) +
@@ -29,6 +36,10 @@ void check(const DecomposeOptions& options) {
     refuse("padding is " + fixedDecimal(options.padding) + " m; it must be 0 or a positive length");
   if (options.fill && options.method != Method::kCertified)
     refuse(std::string("fill is set but the method is ") + name(options.method) + "; only certified can fill: drop one of the two");
+  if (needsCertified(options.effort) && options.method != Method::kCertified)
+    refuse(std::string("effort is ") + name(options.effort) + " but the method is " + name(options.method) +
+           "; only certified has it: drop one of the two");
+  for (const Region& region : options.regions) check(region);
 }
 
 namespace {

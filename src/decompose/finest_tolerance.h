@@ -4,7 +4,9 @@
 #include <string>
 
 #include "base/millimetres.h"
+#include "base/positive_length.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
 
@@ -18,6 +20,12 @@ inline void expectResolvable(double tolerance, double diagonal, const std::strin
                                          (mesh.empty() ? "the mesh" : "'" + mesh + "'") + ", which is " + millimetres(diagonal) +
                                          " across, and finer than its coordinates: a number without a unit is in metres; give " +
                                          millimetres(kFinestTolerance * diagonal) + " or more");
+}
+
+/// The same for a tolerance from anywhere, also one that is not a positive length. `name`: what the message calls it.
+inline void expectUsable(double tolerance, const TriangleMesh& mesh, const std::string& name = "tolerance") {
+  expectPositiveLength(name, tolerance);
+  expectResolvable(tolerance, diagonal(mesh), "");
 }
 
 }  // namespace collision_hulls

@@ -20,6 +20,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "decompose/finest_tolerance.h"
 #include "decompose/least/apart.h"
 #include "decompose/least/clique.h"
 #include "decompose/least/colouring.h"
@@ -73,6 +74,8 @@ std::size_t raisedBySharing(std::size_t least, std::size_t enough, const std::ve
 std::size_t leastHulls(const TriangleMesh& mesh, const Solid& solid, double tolerance, const std::vector<ConvexHull>& known, Effort effort,
                        const RunControl& control) {
   if (mesh.triangles.empty()) throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a bound on its hulls needs at least one");
+  check(mesh, control);
+  expectUsable(tolerance, mesh);
   if (known.size() == 1 || effort == Effort::kInstant) return 1;
   const std::size_t enough = known.empty() ? std::numeric_limits<std::size_t>::max() : known.size();
   const Plan& plan = effort == Effort::kBest ? kBestPlan : kQuickPlan;

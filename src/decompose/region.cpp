@@ -18,9 +18,15 @@ std::string textOf(const Eigen::Vector3d& v) {
   return "[" + decimal(v.x()) + ", " + decimal(v.y()) + ", " + decimal(v.z()) + "]";
 }
 
+constexpr double kUnitLength = 1e-6;  // by which a normal's length may differ from 1
+
 void checkTolerance(double tolerance) {
   if (tolerance > 0 && std::isfinite(tolerance)) return;
   throw Error(ErrorCode::kBadOption, "a region's tolerance is " + decimal(tolerance) + " m; it must be a positive length");
+}
+
+bool isHalfSpace(const HalfSpace& side) {
+  return std::abs(side.normal.norm() - 1) <= kUnitLength && std::isfinite(side.offset);
 }
 
 /// The part of the hull below the plane; nullopt: it has none.
@@ -44,6 +50,17 @@ std::optional<ConvexHull> below(const ConvexHull& hull, const HalfSpace& plane) 
 
 }  // namespace
 
+void check(const Region& region) {
+  checkTolerance(region.tolerance);
+  const std::string name = region.name.empty() ? "a region" : "region '" + region.name + "'";
+  if (region.sides.empty()) throw Error(ErrorCode::kBadOption, name + " has no sides; give it at least one");
+  const auto wrong = std::find_if_not(region.sides.begin(), region.sides.end(), isHalfSpace);
+  if (wrong == region.sides.end()) return;
+  throw Error(ErrorCode::kBadOption, name + " has a side with the normal " + textOf(wrong->normal) + " and the offset " +
+                                         decimal(wrong->offset) + "; the normal needs unit length, the offset must be finite, and a pose " +
+                                         "must be rigid");
+}
+
 Region boxRegion(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, double tolerance) {
   checkTolerance(tolerance);
   if (!(size.minCoeff() > 0) || !size.allFinite())
@@ -53,7 +70,9 @@ Region boxRegion(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, dou
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) box.sides.push_back({side * Eigen::Vector3d::Unit(axis), size[axis] / 2});
   }
-  return transformed(box, pose);
+  box = transformed(box, pose);
+  check(box);
+  return box;
 }
 
 Region halfSpaceRegion(const Eigen::Vector3d& normal, double offset, double tolerance) {

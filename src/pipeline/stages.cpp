@@ -28,6 +28,11 @@ namespace {
 
 constexpr std::size_t kManyTriangles = 100'000;  // some 100 MB at work
 
+/// What the method has: a node's parameter holds for requests of any.
+Effort effortOf(const LinkOptions& options) {
+  return options.method == Method::kCertified ? options.effort : Effort::kQuick;
+}
+
 /// Closes openings of a mesh up to a width [m] and tells what it finds. Whether it closed any.
 bool closeAsAsked(const RepairedMesh& repaired, double width, const RunControl& control, MeshResult& result) {
   MeshFacts& facts = result.mesh;
@@ -154,8 +159,9 @@ std::shared_ptr<const HullTree> SharedMesh::tree(const LinkOptions& options, dou
   if (std::optional<HullTree> known = cache_.findTree(key)) return tree = std::make_shared<const HullTree>(std::move(*known));
   built_tree_ = true;
   const auto make = takesTreeWithoutProof(options) ? hullTreeWithoutProof : hullTree;
-  HullTree built = make(read_->repaired,
-                        {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill, {}, 0}, control);
+  HullTree built =
+      make(read_->repaired, {options.method, tolerance, 0, options.max_vertices, options_.seed, effortOf(options), options.fill, {}, 0},
+           control);
   cache_.storeTree(key, built);
   return tree = std::make_shared<const HullTree>(std::move(built));
 }
@@ -185,8 +191,8 @@ void decomposeAndCertify(const ReadMesh& read, const LinkOptions& options, const
 /// The solid is known only up to the margin, so the bound includes it.
 void decomposeHulls(const ReadMesh& read, const LinkOptions& options, const HullTree* tree, const std::string& uri, std::uint64_t seed,
                     const RunControl& control, MeshResult& result) {
-  const DecomposeOptions how{options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, seed,
-                             options.effort, options.fill,          options.regions,   options.padding};
+  const DecomposeOptions how{options.method,    result.mesh.tolerance, options.max_hulls, options.max_vertices, seed,
+                             effortOf(options), options.fill,          options.regions,   options.padding};
   CertifiedHulls made = certifiedHulls({result.original, read.repaired, *result.solid, read.margin, tree, uri}, how, control);
   Stopwatch stage;
   result.hulls = std::move(made.hulls);

@@ -10,8 +10,9 @@
 #include <limits>
 #include <string>
 
-#include "base/decimal.h"
+#include "base/positive_length.h"
 #include "collision_hulls/decompose/certified_hulls.h"
+#include "decompose/margin.h"
 #include "measure/protrusion.h"
 
 namespace collision_hulls {
@@ -85,8 +86,8 @@ bool isWithin(CertifiedPrimitive& result, const Solid& solid, const PrimitiveOpt
 }
 
 void check(const PrimitiveOptions& options) {
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-    throw Error(ErrorCode::kBadOption, "the tolerance of a primitive is " + fixedDecimal(options.tolerance) + "; it must be above 0");
+  expectPositiveLength("the tolerance of a primitive", options.tolerance);
+  expectMargin(options.margin);
 }
 
 }  // namespace

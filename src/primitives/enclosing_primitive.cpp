@@ -142,6 +142,8 @@ Primitive barAbout(Kind kind, const ConvexHull& hull, const RunControl& control)
 }  // namespace
 
 Primitive enclosingPrimitive(PrimitiveKind kind, const ConvexHull& hull, const RunControl& control) {
+  if (hull.vertices.empty())
+    throw Error(ErrorCode::kEmptyMesh, "a hull without vertices has no enclosing primitive; give one of convexHull(), or leave it out");
   const Eigen::AlignedBox3d bounds = boundingBox(hull);
   const double more = kSizeRounding * (bounds.diagonal().norm() + bounds.center().norm());
   Primitive result = kind == Kind::kSphere ? sphereAbout(hull, control)

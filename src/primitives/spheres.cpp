@@ -11,8 +11,10 @@
 #include <string>
 
 #include "base/counted.h"
-#include "base/decimal.h"
 #include "base/millimetres.h"
+#include "base/positive_length.h"
+#include "decompose/finest_tolerance.h"
+#include "decompose/margin.h"
 #include "primitives/sphere_choice.h"
 #include "primitives/sphere_cover.h"
 #include "primitives/sphere_shrinking.h"
@@ -41,8 +43,7 @@ std::string spheresDo(std::size_t number, const std::string& what) {
 }
 
 void check(const SphereOptions& options) {
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-    throw Error(ErrorCode::kBadOption, "the tolerance of spheres is " + fixedDecimal(options.tolerance) + " m; it must be above 0");
+  expectPositiveLength("the tolerance of spheres", options.tolerance);
   if (options.max_spheres < 1) throw Error(ErrorCode::kBadOption, "a limit of 0 spheres; a mesh needs at least 1");
 }
 
@@ -103,7 +104,7 @@ CertifiedSpheres withinLimit(const PreparedMesh& mesh, const SphereOptions& opti
   const std::string asked = "the tolerance of " + millimetres(options.tolerance);
   result.reason = (enough ? asked + " is too small for this mesh" : spheresDo(options.max_spheres, " not cover the mesh within ") + asked) +
                   "; " + spheresDo(result.spheres.size(), " within ") + millimetresBeyond(result.bound, options.tolerance) +
-                  (enough ? "; raise the tolerance" : "; raise max-hulls, or the tolerance");
+                  (enough ? "; raise the tolerance" : "; raise the limit (max_spheres; max-hulls of a program), or the tolerance");
   return result;
 }
 
@@ -116,10 +117,14 @@ bool covers(const std::vector<Sphere>& spheres, const TriangleMesh& mesh, const 
 
 CertifiedSpheres certifiedSpheres(const PreparedMesh& mesh, const SphereOptions& options, const RunControl& control) {
   check(options);
+  check(mesh.original, control);
+  expectMargin(mesh.margin, mesh.repaired.counts.weld_distance);
+  expectResolvable(options.tolerance, diagonal(mesh.original), mesh.name);
   CertifiedSpheres result = withinLimit(mesh, options, control);
   if (!covers(result.spheres, mesh.original, control))
     throw Error(ErrorCode::kInternal,
                 "spheres leave part of the surface uncovered. Please report the mesh" + (mesh.name.empty() ? "" : " '" + mesh.name + "'"));
+  control.report(1);
   return result;
 }
 

@@ -92,6 +92,41 @@ TEST(CertifiedHulls, RefusesWhatItCannotCertify) {
   expectError(ErrorCode::kCancelled, "", [&] { certifiedHulls(box, within(0.1), control); });
 }
 
+TEST(CertifiedHulls, RefuseAPreparedMeshThatIsNotSound) {
+  const TriangleMesh box = test_shapes::box(1, 1, 1);
+  const RepairedMesh repaired = repair(box);
+  const Solid solid(repaired);
+  TriangleMesh endless = box, wrong = box;
+  endless.vertices[2].y() = std::nan("");
+  wrong.triangles[0][0] = 99;
+  expectError(ErrorCode::kNonFiniteCoordinate, "vertex 2", [&] {
+    certifiedHulls({endless, repaired, solid, 0, nullptr, ""}, within(0.1));
+  });
+  expectError(ErrorCode::kIndexOutOfRange, "vertex 99", [&] { certifiedHulls({wrong, repaired, solid, 0, nullptr, ""}, within(0.1)); });
+  const std::vector<ConvexHull> hulls{convexHull(box.vertices)};
+  expectError(ErrorCode::kNonFiniteCoordinate, "vertex 2", [&] { expectCovered(endless, hulls, ""); });
+}
+
+/// A bound that includes less than how far the surfaces may be apart is none.
+TEST(CertifiedHulls, RefuseMarginsThatAreTooSmall) {
+  TriangleMesh mesh = channel();
+  const auto corner = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.emplace_back(mesh.vertices[0] + Eigen::Vector3d(1e-7, 0, 0));  // is welded
+  mesh.triangles[0][0] = mesh.triangles[0][0] == 0 ? corner : mesh.triangles[0][0];
+  const RepairedMesh repaired = repair(mesh);
+  const Solid solid(repaired);
+  const auto with = [&](double margin) { certifiedHulls({mesh, repaired, solid, margin, nullptr, ""}, within(0.01)); };
+  const double least = repaired.counts.weld_distance;
+  ASSERT_GT(least, 0);
+  for (const double margin : {0.999 * least, -1e-3, std::nan(""), std::numeric_limits<double>::infinity()})
+    expectError(ErrorCode::kBadOption, "margin is", [&] { with(margin); });
+  EXPECT_NO_THROW(with(least));
+  const std::vector<ConvexHull> hulls{convexHull(mesh.vertices)};
+  for (const double margin : {-0.05, std::nan("")})
+    expectError(ErrorCode::kBadOption, "margin is", [&] { certificate(hulls, solid, margin, 0.01); });
+  expectError(ErrorCode::kBadOption, "tolerance is", [&] { certificate(hulls, solid, 0, -0.01); });
+}
+
 TEST(CertifiedHulls, OfOneTriangleAndOfOnePoint) {
   for (const TriangleMesh& mesh :
        {TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, TriangleMesh{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {{0, 1, 2}}}}) {

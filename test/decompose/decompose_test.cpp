@@ -67,6 +67,31 @@ TEST(Decompose, RejectsOptionsOutOfRange) {
   options = with(Method::kHacd, box);
   options.max_vertices = 7;
   expectError(ErrorCode::kBadOption, mesh, options);
+  options = with(Method::kHacd, box);
+  options.effort = Effort::kBest;
+  expectError(ErrorCode::kBadOption, mesh, options);
+  options = with(static_cast<Method>(77), box);
+  expectError(ErrorCode::kBadOption, mesh, options);
+  options = with(Method::kCertified, box);
+  options.effort = static_cast<Effort>(77);
+  expectError(ErrorCode::kBadOption, mesh, options);
+  options = with(Method::kCertified, box);
+  options.regions.emplace_back();
+  expectError(ErrorCode::kBadOption, mesh, options);
+}
+
+// The work would never end.
+TEST(Decompose, RefusesTolerancesBelowTheCoordinatesResolution) {
+  const TriangleMesh bracket = test_shapes::lBracket();
+  const RepairedMesh mesh = repair(bracket);
+  for (const Method method : allMethods()) {
+    DecomposeOptions options = with(method, bracket);
+    options.tolerance = 0.99e-6 * diagonal(bracket);
+    if (method == Method::kSingleHull || method == Method::kBoundingBox)
+      EXPECT_NO_THROW(decompose(mesh, options)) << "which ignore it";
+    else
+      expectError(ErrorCode::kBadOption, mesh, options);
+  }
 }
 
 TEST(Decompose, EveryMethodCoversEveryShape) {

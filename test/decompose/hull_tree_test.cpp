@@ -117,6 +117,26 @@ TEST_F(HullTreeOfBentTube, CutsToAGivenNumber) {
   }
 }
 
+TEST_F(HullTreeOfBentTube, RefusesCutsOfAnother) {
+  for (const int node : {-1, static_cast<int>(tree_->nodes.size())}) {
+    try {
+      tree_->hullsOf({0, node});
+      ADD_FAILURE() << node;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kIndexOutOfRange);
+    }
+  }
+}
+
+TEST(HullTree, ProgressEndsAtOne) {
+  const TriangleMesh mesh = test_shapes::lBracket();
+  RunControl control;
+  double last = 0;
+  control.progress = [&](double fraction) { last = fraction; };
+  hullTree(repair(mesh), within(0.01 * diagonal(mesh)), control);
+  EXPECT_EQ(last, 1);
+}
+
 TEST_F(HullTreeOfBentTube, RandomCutsCover) {
   RandomPoints random(17);
   for (int i = 0; i < 100; ++i) {

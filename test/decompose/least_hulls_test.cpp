@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "base/parallel.h"
 #include "certified/certified_cases.h"
 #include "collision_hulls/decompose/certified_hulls.h"
@@ -107,6 +110,22 @@ TEST(LeastHulls, OneThreadGivesTheSame) {
   withJobs(1, [&] { alone = leastHulls(mesh, solid, 0.03, {}); });
   EXPECT_GT(alone, 1u);
   EXPECT_EQ(alone, leastHulls(mesh, solid, 0.03, {}));
+}
+
+/// They would prove any number.
+TEST(LeastHulls, RefusesTolerancesThatAreNone) {
+  const TriangleMesh mesh = box(1, 1, 1);
+  for (const double tolerance : {-0.5, 0.0, std::nan(""), std::numeric_limits<double>::infinity(), 0.99e-6 * diagonal(mesh)}) {
+    try {
+      leastOf(mesh, tolerance);
+      ADD_FAILURE() << tolerance;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    }
+  }
+  TriangleMesh wrong = mesh;
+  wrong.triangles[0][0] = 99;
+  EXPECT_THROW(leastHulls(wrong, solidOf(mesh), 0.1, {}), Error);
 }
 
 TEST(LeastHulls, RefusesAMeshWithoutTrianglesAndEndsWhenCancelled) {

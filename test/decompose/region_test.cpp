@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "collision_hulls/error.h"
 #include "solids.h"
 
@@ -132,6 +135,29 @@ TEST(Region, RefusesWhatIsNone) {
   expectRefused("normal [0, 0, 0]", [] { halfSpaceRegion({0, 0, 0}, 1, kClear); });
   expectRefused("offset inf", [] { halfSpaceRegion({0, 0, 1}, std::numeric_limits<double>::infinity(), kClear); });
   for (const double tolerance : {0.0, -1.0, std::nan("")}) expectRefused("tolerance", [&] { halfSpaceRegion({0, 0, 1}, 0, tolerance); });
+  Eigen::Isometry3d nowhere = here, stretched = here;
+  nowhere.translation().x() = std::nan("");
+  stretched.linear() *= 2;
+  for (const Eigen::Isometry3d& pose : {nowhere, stretched}) expectRefused("must be rigid", [&] { boxRegion({1, 1, 1}, pose, kClear); });
+}
+
+TEST(Region, OneMadeByHandIsChecked) {
+  Region region = halfSpaceRegion({0, 0, 1}, 0, kClear);
+  region.name = "gap";
+  EXPECT_NO_THROW(check(region));
+  EXPECT_NO_THROW(check(boxRegion({1, 2, 3}, poseAt({1e6, 0, 0}, 0.7), kClear)));
+  Region wrong = region;
+  wrong.sides.clear();
+  expectRefused("region 'gap' has no sides", [&] { check(wrong); });
+  wrong = region;
+  wrong.sides[0].normal *= 1.00001;
+  expectRefused("region 'gap' has a side", [&] { check(wrong); });
+  wrong = region;
+  wrong.sides[0].offset = std::nan("");
+  expectRefused("region 'gap' has a side", [&] { check(wrong); });
+  wrong = region;
+  wrong.tolerance = 0;
+  expectRefused("tolerance", [&] { check(wrong); });
 }
 
 }  // namespace

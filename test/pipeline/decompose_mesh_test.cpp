@@ -29,6 +29,18 @@ TEST(DecomposeMesh, HasOneRow) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out/package.xml"));
 }
 
+// As a node's parameter, which holds for requests of any method.
+TEST(DecomposeMesh, AnEffortThatOnlyCertifiedHasDoesNotKeepOthersFromTheirWork) {
+  const TempFolder folder;
+  const std::string path = fixtures::write(folder / "part.obj", fixtures::obj(test_shapes::lBracket()));
+  for (const Method method : allMethods()) {
+    Options options;
+    options.method = method;
+    options.effort = Effort::kInstant;
+    EXPECT_NE(decomposeMesh(path, options).report.links[0].status, Status::kFailed) << name(method);
+  }
+}
+
 TEST(DecomposeMesh, SegmentsStandBesideTheHulls) {
   const TempFolder folder;
   const std::string path = fixtures::write(folder / "part.obj", fixtures::obj(test_shapes::lBracket()));

@@ -152,5 +152,15 @@ TEST(CoveringPrimitive, NeedsATolerance) {
     EXPECT_THROW(coveringPrimitive(hullOf(mesh), solidOf(mesh), within(tolerance)), Error);
 }
 
+TEST(CoveringPrimitive, RefusesMarginsThatAreNone) {
+  const TriangleMesh mesh = box(1, 1, 1);
+  for (const double margin : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    PrimitiveOptions options = within(0.1);
+    options.margin = margin;
+    EXPECT_THROW(coveringPrimitive(hullOf(mesh), solidOf(mesh), options), Error);
+    EXPECT_THROW(certificate(enclosingPrimitive(Kind::kBox, hullOf(mesh)), solidOf(mesh), margin, 0.1), Error);
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

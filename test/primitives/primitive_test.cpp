@@ -135,6 +135,17 @@ TEST(EnclosingPrimitive, OfBarsNearlyAlongZ) {
     }
 }
 
+TEST(EnclosingPrimitive, NoneEnclosesAHullWithoutVertices) {
+  for (const Kind kind : allPrimitiveKinds()) {
+    try {
+      enclosingPrimitive(kind, ConvexHull());
+      ADD_FAILURE() << name(kind);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kEmptyMesh);
+    }
+  }
+}
+
 TEST(EnclosingPrimitive, OfDegeneratePoints) {
   const std::vector<std::vector<Eigen::Vector3d>> sets{
       {{3, -2, 1}}, {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}}};

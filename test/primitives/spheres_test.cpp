@@ -104,7 +104,8 @@ TEST(CertifiedSpheres, BeyondTheLimitTheToleranceIsRaised) {
   EXPECT_FALSE(result.within_tolerance);
   EXPECT_GT(result.bound, 0.01);
   EXPECT_NE(result.reason.find("50 spheres do not cover the mesh within the tolerance of 10 mm"), std::string::npos) << result.reason;
-  EXPECT_NE(result.reason.find("; raise max-hulls, or the tolerance"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("; raise the limit (max_spheres; max-hulls of a program), or the tolerance"), std::string::npos)
+      << result.reason;
   EXPECT_NE(result.reason.find("; " + std::to_string(result.spheres.size()) + " spheres do within " + millimetres(result.bound)),
             std::string::npos)
       << result.reason;
@@ -255,6 +256,25 @@ TEST(CertifiedSpheres, BadOptionsAndMeshes) {
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(certifiedSpheres(box(1, 1, 1), within(tolerance)), Error);
   EXPECT_THROW(certifiedSpheres(TriangleMesh{}, within(0.1)), Error);
+}
+
+TEST(CertifiedSpheres, RefuseWhatWouldProveNothingOrNeverEnd) {
+  const TriangleMesh mesh = box(1, 1, 1);
+  const RepairedMesh repaired = repair(mesh);
+  const Solid solid(repaired);
+  TriangleMesh endless = mesh;
+  endless.vertices[0].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(certifiedSpheres(mesh, within(0.99e-6 * diagonal(mesh))), Error);
+  EXPECT_THROW(certifiedSpheres({mesh, repaired, solid, -1e-3, nullptr, ""}, within(0.1)), Error);
+  EXPECT_THROW(certifiedSpheres({endless, repaired, solid, 0, nullptr, ""}, within(0.1)), Error);
+}
+
+TEST(CertifiedSpheres, ProgressEndsAtOne) {
+  RunControl control;
+  double last = 0;
+  control.progress = [&](double fraction) { last = fraction; };
+  certifiedSpheres(box(1, 1, 1), within(0.3), control);
+  EXPECT_EQ(last, 1);
 }
 
 TEST(Covers, AShavedSphereLeavesAGap) {

@@ -24,9 +24,10 @@
 
 namespace collision_hulls {
 
-/// The hulls of the parts once no part's concavity exceeds `epsilon` [m], > 0. They cover the mesh
-/// and its loose segments. Cuts the most concave part first and stops at 2,000 parts, which
-/// guarantees termination. Deterministic. Throws kCancelled.
+/// The hulls of the parts once no part's concavity exceeds `epsilon` [m]. They cover the mesh and
+/// its loose segments. Cuts the most concave part first and stops at 2,000 parts, which guarantees
+/// termination. Deterministic. Throws kBadOption for an epsilon that is not a positive length, or
+/// below a millionth of the mesh's diagonal; kEmptyMesh, kCancelled.
 std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon,
                                  const RunControl& control = {});
 

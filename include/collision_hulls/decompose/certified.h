@@ -23,7 +23,7 @@ namespace collision_hulls {
 /// The hulls of steps 1 to 3; if their number is limited, those of a cut of the tree or of a cover
 /// at a larger tolerance, whichever protrude less. A hull exceeds the tolerance only if its piece
 /// could not be split or a limit forces it to. Runs on all threads of the caller's TBB arena; their
-/// number does not affect the result. See decompose().
+/// number does not affect the result. Throws as decompose().
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options,
                         const RunControl& control = {});
 
@@ -31,7 +31,7 @@ Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& option
 /// tolerance, or with any number of hulls, then takes microseconds. The tree's hulls are not
 /// limited, neither in vertices nor in number (but its leaves stay within the tolerance even after
 /// their vertices are reduced); `method` is ignored. Bounds are within a few per cent of the truth.
-/// Deterministic. Throws kEmptyMesh, kBadOption, kCancelled.
+/// Deterministic. Throws kEmptyMesh, kBadOption (as decompose()), kCancelled.
 HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options,
                   const RunControl& control = {});
 

@@ -73,7 +73,8 @@ struct CertifiedHulls {
 /// Repairs the mesh, decomposes it, and proves the result. Deterministic: the same mesh and options
 /// give the same bytes, on any number of threads. With a deadline in the control the method
 /// certified gives the best that it has by then; the search gets most of that time and the proof
-/// the rest, but cover, rounding and a first bound take what they take. Thread safe. Throws what
+/// the rest, but cover, rounding and a first bound take what they take. Thread safe. Works on all
+/// threads of the caller's TBB arena: tbb::task_arena(n).execute() limits them. Throws what
 /// repair() throws, kEmptyMesh for a mesh without triangles, kBadOption (a tolerance of a millionth
 /// of the mesh's diagonal or more must be given, also for methods that ignore it, and for regions
 /// if it is below kRegionSlack), kCancelled, and kInternal if the result should fail its own check.
@@ -86,7 +87,7 @@ struct PreparedMesh {
   const RepairedMesh& repaired;  ///< what is decomposed
   const Solid& solid;            ///< of `repaired`: S
   /// [m] How far apart the surfaces of `original` and `solid` may lie; the bound includes it. At
-  /// least repaired.counts.weld_distance; more if reading rounded the mesh.
+  /// least repaired.counts.weld_distance; more if reading rounded the mesh. Less is kBadOption.
   double margin = 0;
   /// If given, the hulls are a cut through it, and nothing is decomposed.
   const HullTree* tree = nullptr;
@@ -105,11 +106,14 @@ constexpr double kCertificateGap = 0.001;
 /// bound. Apart from the margin, bound and found value differ by at most kCertificateGap of the
 /// tolerance [m], > 0, or of the protrusion where that is more, unless the search gives up (see
 /// protrusion()). Where the bound would then exceed the tolerance, a second search goes on only
-/// until it does not: the two then differ by at most the room that the found value leaves.
+/// until it does not: the two then differ by at most the room that the found value leaves. Throws
+/// kBadOption for a margin that is negative or not finite, or a tolerance that is not positive;
+/// kCancelled.
 Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin,
                        double tolerance, const RunControl& control = {});
 
-/// Throws kInternal unless the hulls cover the mesh. `name`: of the mesh, for the message.
+/// Throws kInternal unless the hulls cover the mesh, and what uncovered() throws. `name`: of the
+/// mesh, for the message.
 void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
                    const std::string& name, const RunControl& control = {});
 

@@ -54,7 +54,9 @@ struct DecomposeOptions {
   double padding = 0;
 };
 
-void check(const DecomposeOptions& options);  ///< throws kBadOption
+/// Throws kBadOption, also for a method that has no such effort, and as check() of its regions. How
+/// fine a tolerance may be depends on the mesh; decompose() checks that.
+void check(const DecomposeOptions& options);
 
 struct Decomposition {
   /// cover the mesh and its loose segments up to rounding; in a fixed order
@@ -69,7 +71,8 @@ struct Decomposition {
 };
 
 /// Decomposes a mesh. Deterministic: the same input and options give the same bytes, whatever else
-/// is running. Thread safe. Throws kBadOption, kEmptyMesh, kCancelled.
+/// is running. Thread safe. Throws kBadOption, also for a tolerance below a millionth of the mesh's
+/// diagonal (unless the method ignores it), kEmptyMesh, kCancelled.
 Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options,
                         const RunControl& control = {});
 

@@ -30,9 +30,10 @@ double concavity(const TriangleMesh& mesh, const std::vector<int>& triangles);
 double shapeWeight(double epsilon, double diagonal);
 
 /// Equation (5): the partition {p_k, A(p_k)} of the mesh's triangles that remains once no edge of
-/// the dual graph gives a cluster of concavity up to `epsilon` [m], > 0. Triangles ascend within a
+/// the dual graph gives a cluster of concavity up to `epsilon` [m]. Triangles ascend within a
 /// cluster; clusters are ordered by first triangle. Deterministic; ties are broken by index. Throws
-/// kCancelled.
+/// kBadOption for an epsilon that is not a positive length, or below a millionth of the mesh's
+/// diagonal; kIndexOutOfRange, kNonFiniteCoordinate, kCancelled.
 std::vector<std::vector<int>> hacdPartition(const TriangleMesh& mesh, double epsilon,
                                             const RunControl& control = {});
 
@@ -48,6 +49,7 @@ struct Segmentation {
   /// [m] ascending: C of each cluster that is not a triangle
   std::vector<double> merges;
 };
+/// Throws as hacdPartition().
 Segmentation hacdSegmentation(const TriangleMesh& mesh, double epsilon,
                               const RunControl& control = {});
 

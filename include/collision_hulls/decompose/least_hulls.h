@@ -23,11 +23,13 @@
 
 namespace collision_hulls {
 
-/// The bound; at least 1. `mesh`: as it was read; `tolerance`: [m] > 0. `known`: hulls that cover
+/// The bound; at least 1. `mesh`: as it was read; `tolerance`: [m]. `known`: hulls that cover
 /// the mesh within the tolerance, if there are any. They save work: points that share a hull are
 /// not tested, and the search ends at their number. The bound grows with the effort, is 1 with
 /// Effort::kInstant, and is often not the best possible. Deterministic, on any number of threads.
-/// Throws kEmptyMesh for a mesh without triangles, kCancelled.
+/// Throws kBadOption for a tolerance that is not a positive length, or below a millionth of the
+/// mesh's diagonal; kEmptyMesh for a mesh without triangles; kIndexOutOfRange,
+/// kNonFiniteCoordinate, kCancelled.
 std::size_t leastHulls(const TriangleMesh& mesh, const Solid& solid, double tolerance,
                        const std::vector<ConvexHull>& known, Effort effort = Effort::kQuick,
                        const RunControl& control = {});

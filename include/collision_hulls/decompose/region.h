@@ -3,6 +3,8 @@
 //
 // For example:
 //
+//     #include "collision_hulls/decompose/decompose.h"
+//
 //     DecomposeOptions options;
 //     options.tolerance = 0.02;  // [m]
 //     options.regions = {boxRegion({0.08, 0.2, 0.03}, pose, 0.001)};
@@ -32,14 +34,19 @@ struct Region {
   std::string name;  ///< for messages and reports
 };
 
-/// A box with these sides [m], > 0, about the origin of `pose`. Throws kBadOption.
+/// Throws kBadOption unless it has sides, whose normals have unit length (to a millionth) and whose
+/// offsets are finite, and a tolerance that is a positive length.
+void check(const Region& region);
+
+/// A box with these sides [m], > 0, about the origin of `pose`. Throws kBadOption, also for a pose
+/// that is not rigid or not finite.
 Region boxRegion(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, double tolerance);
 
 /// The points p with normal . p >= offset [m]; the normal, which may have any length but 0, points
 /// into the region. Throws kBadOption.
 Region halfSpaceRegion(const Eigen::Vector3d& normal, double offset, double tolerance);
 
-/// The region moved by a rigid transform.
+/// The region moved by a rigid transform. Throws nothing: check() refuses what another one gives.
 Region transformed(const Region& region, const Eigen::Isometry3d& pose);
 
 /// Whether they are the same work: all but their names.

@@ -17,7 +17,7 @@ struct Segments {
 };
 
 /// Repairs a mesh as decomposing does, so that hull k of the method hacd is that of cluster k
-/// unless a limit joined hulls. `epsilon` [m] > 0. Throws kCancelled.
+/// unless a limit joined hulls. `epsilon` [m]: see hacdPartition(). Throws as that and as repair().
 Segments segmentsOf(const TriangleMesh& original, double epsilon, const RunControl& control = {});
 
 /// The colour of cluster k. Colours of consecutive clusters differ most.

@@ -32,7 +32,8 @@ struct CertifiedPrimitive {
 
 struct PrimitiveOptions {
   double tolerance = 0;  ///< [m] > 0
-  /// [m] how far apart the surface of S and that of the original mesh may lie; see PreparedMesh
+  /// [m] >= 0: how far apart the surface of S and that of the original mesh may lie; see
+  /// PreparedMesh
   double margin = 0;
   /// the first of these that stays within the tolerance is taken
   std::vector<PrimitiveKind> kinds = allPrimitiveKinds();
@@ -44,17 +45,19 @@ struct PrimitiveOptions {
 /// A primitive that contains the hull and protrudes from S by no more than the tolerance; nullopt
 /// if none was found. `hull`: of a whole mesh, or of any part of a cover of it. Deterministic.
 /// Thread safe. The bound is as loose as the tolerance allows; certificate() finds a close one.
-/// Throws kBadOption, kCancelled.
+/// Throws kBadOption, kEmptyMesh for a hull without vertices, kCancelled.
 std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, const Solid& solid,
                                                     const PrimitiveOptions& options,
                                                     const RunControl& control = {});
 
 /// The primitive of one kind that contains the hull, whatever its bound. Bound and found value
-/// differ by a few hundredths of the tolerance, unless a search gives up; see protrusion().
+/// differ by a few hundredths of the tolerance, unless a search gives up; see protrusion(). Throws
+/// as coveringPrimitive().
 CertifiedPrimitive primitiveOfKind(PrimitiveKind kind, const ConvexHull& hull, const Solid& solid,
                                    const PrimitiveOptions& options, const RunControl& control = {});
 
-/// The proof alone, for a primitive from anywhere.
+/// The proof alone, for a primitive from anywhere. This and the following throw kBadOption,
+/// kCancelled.
 CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, double margin,
                                double tolerance, const RunControl& control = {});
 

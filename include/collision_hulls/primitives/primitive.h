@@ -58,8 +58,8 @@ ConvexHull hullAround(const Primitive& primitive, double excess);
 ///
 /// The sphere is the smallest one. The box is that of orientedBox(). Cylinders and capsules are the
 /// smallest along the box's axes, the principal axes and the hull's longest edges, with the best
-/// axis then turned until no turn makes the body smaller. Throws kInternal if a vertex is outside,
-/// and kCancelled.
+/// axis then turned until no turn makes the body smaller. Throws kEmptyMesh for a hull without
+/// vertices, kInternal if a vertex is outside, and kCancelled.
 Primitive enclosingPrimitive(PrimitiveKind kind, const ConvexHull& hull,
                              const RunControl& control = {});
 

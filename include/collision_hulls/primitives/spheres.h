@@ -37,9 +37,11 @@ struct Sphere {
 };
 
 struct SphereOptions {
-  double tolerance = 0;             ///< [m] > 0: acceptable protrusion
-  std::size_t max_spheres = 10000;  ///< most spheres per mesh, at least 1
-  Effort effort = Effort::kQuick;   ///< how long to look for fewer
+  /// [m] acceptable protrusion: a millionth of the mesh's diagonal, or more
+  double tolerance = 0;
+  /// most spheres per mesh, at least 1; time grows with it, see certifiedSpheres()
+  std::size_t max_spheres = 10000;
+  Effort effort = Effort::kQuick;  ///< how long to look for fewer
 };
 
 /// Spheres with their proof. Lengths in metres, in the mesh's frame.
@@ -56,9 +58,16 @@ struct CertifiedSpheres {
 /// the tolerance is below what single precision and the mesh's margin allow, it is raised to that.
 /// If it takes more spheres than the limit, those are returned that protrude least among covers
 /// within the limit, as far as a search finds. `reason` says how far they protrude. Deterministic:
-/// the same mesh and options give the same spheres, on any number of threads. Thread safe. Throws
-/// what repair() throws, kEmptyMesh, kBadOption, kCancelled, and kInternal if the result should
-/// fail its own check.
+/// the same mesh and options give the same spheres, on any number of threads. Thread safe. Works on
+/// all threads of the caller's TBB arena.
+///
+/// Time goes with spheres times points, both of which grow with the square of the mesh's size over
+/// the tolerance: 5,000 spheres take about a minute, and the limit's 10,000 several; a limit of
+/// 100 keeps it to seconds. The control's deadline is not heeded, but for stops_at_deadline.
+///
+/// Throws what repair() throws, kEmptyMesh, kBadOption (as certifiedHulls(): also for a tolerance
+/// below a millionth of the mesh's diagonal), kCancelled, and kInternal if the result should fail
+/// its own check.
 CertifiedSpheres certifiedSpheres(const TriangleMesh& mesh, const SphereOptions& options,
                                   const RunControl& control = {});
 

@@ -9,6 +9,7 @@
 #include "decompose/acd/notches.h"
 #include "decompose/certified/rough_hull.h"
 #include "decompose/cluster_hulls.h"
+#include "decompose/finest_tolerance.h"
 #include "decompose/surface_piece.h"
 #include "mesh/loose_segments.h"
 
@@ -149,9 +150,11 @@ class Resolving {
 }  // namespace
 
 std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control) {
+  expectUsable(epsilon, mesh.mesh, "epsilon");
   if (mesh.mesh.triangles.empty()) return {convexHull(withLoose(mesh).vertices, control)};
   std::vector<ConvexHull> hulls = Resolving(mesh, epsilon, control).run();
   addLoose(hulls, mesh.loose, control);
+  control.report(1);
   return hulls;
 }
 

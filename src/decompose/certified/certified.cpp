@@ -394,20 +394,27 @@ LowerBound boundOf(const RepairedMesh& mesh, const Solid& solid, const Decompose
   });
 }
 
-HullTree treeOf(const RepairedMesh& mesh, const DecomposeOptions& options, TreeBounds bounds, const RunControl& control) {
+void check(const RepairedMesh& mesh, const DecomposeOptions& options) {
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
-    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
-  expectResolvable(options.tolerance, diagonal(mesh.mesh), "");
+    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a cover or a hull tree needs at least one");
+  expectUsable(options.tolerance, mesh.mesh);
+}
+
+HullTree treeOf(const RepairedMesh& mesh, const DecomposeOptions& options, TreeBounds bounds, const RunControl& control) {
+  check(mesh, options);
   const Solid solid(mesh, control);
   LowerBound least = boundOf(mesh, solid, options);
   Job job(mesh, solid, options, least, control);
-  return job.treeOver(job.cover(), bounds);
+  HullTree tree = job.treeOver(job.cover(), bounds);
+  control.report(1);
+  return tree;
 }
 
 }  // namespace
 
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  check(mesh, options);
   const Solid solid(mesh, control);
   LowerBound least = boundOf(mesh, solid, options);
   return certified(mesh, solid, options, least, control);

@@ -18,6 +18,7 @@
 #include <queue>
 #include <tuple>
 
+#include "decompose/finest_tolerance.h"
 #include "decompose/hacd/concavity.h"
 #include "decompose/hacd/dual_graph.h"
 #include "geometry/pi.h"
@@ -213,6 +214,11 @@ class Decimation {
   std::vector<double> merges_;  // [m] the concavity of each merged cluster
 };
 
+void check(const TriangleMesh& mesh, double epsilon, const RunControl& control) {
+  check(mesh, control);
+  expectUsable(epsilon, mesh, "epsilon");
+}
+
 }  // namespace
 
 double aspectRatio(double perimeter, double area) {
@@ -244,17 +250,21 @@ double concavity(const TriangleMesh& mesh, const std::vector<int>& triangles) {
 }
 
 std::vector<std::vector<int>> hacdPartition(const TriangleMesh& mesh, double epsilon, const RunControl& control) {
+  check(mesh, epsilon, control);
   Decimation decimation(mesh, epsilon, control);
   decimation.run();
+  control.report(1);
   return decimation.partition();
 }
 
 Segmentation hacdSegmentation(const TriangleMesh& mesh, double epsilon, const RunControl& control) {
+  check(mesh, epsilon, control);
   Decimation decimation(mesh, epsilon, control);
   decimation.run();
   Segmentation result{decimation.partition(), {}};
   decimation.runToTheEnd();
   result.merges = decimation.merges();
+  control.report(1);
   return result;
 }
 

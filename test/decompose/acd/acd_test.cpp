@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "collision_hulls/measure/measures.h"
 #include "decompose/acd/notches.h"
 #include "random_points.h"
@@ -28,6 +30,21 @@ TEST(Acd, OnlyLoosePointsAreCovered) {
   const std::vector<ConvexHull> hulls = acdHulls(mesh, 0.1);
   ASSERT_EQ(hulls.size(), 1u);
   for (const Segment& point : mesh.loose) EXPECT_LE(planeDistance(hulls[0], point[0]), 1e-12);
+}
+
+TEST(Acd, RefusesWhatItCannotUse) {
+  const RepairedMesh mesh = repair(lBracket());
+  const auto code = [](const RepairedMesh& m, double epsilon) {
+    try {
+      acdHulls(m, epsilon);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  };
+  for (const double epsilon : {0.0, -1.0, std::nan(""), 0.99e-6 * diagonal(mesh.mesh)})
+    EXPECT_EQ(code(mesh, epsilon), ErrorCode::kBadOption);
+  EXPECT_EQ(code({}, 0.1), ErrorCode::kEmptyMesh);
 }
 
 TEST(Acd, ConvexShapesStayWhole) {
@@ -91,8 +108,8 @@ TEST(Acd, RandomTrianglesAreCovered) {
 
 TEST(Acd, EndsEvenIfNothingIsEverConvexEnough) {
   const TriangleMesh mesh = test_shapes::torus(1, 0.3, 48, 24);
-  const std::vector<ConvexHull> hulls = run(mesh, 1e-9);
-  EXPECT_LE(hulls.size(), 2002u);  // the last cut may add a few more
+  const std::vector<ConvexHull> hulls = run(mesh, 1.01e-6);  // the least that is taken
+  EXPECT_LE(hulls.size(), 2002u);                            // the last cut may add a few more
   EXPECT_EQ(uncovered(mesh, hulls), 0);
 }
 

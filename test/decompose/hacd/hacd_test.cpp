@@ -62,6 +62,26 @@ TEST(HacdPartition, EmptyMesh) {
   EXPECT_TRUE(hacdPartition({}, 1).empty());
 }
 
+TEST(HacdPartition, RefusesWhatItCannotUse) {
+  const auto code = [](const TriangleMesh& mesh, double epsilon, const auto& act) {
+    try {
+      act(mesh, epsilon);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  };
+  TriangleMesh mesh = test_shapes::lBracket();
+  for (const auto act : {+[](const TriangleMesh&m, double epsilon) { hacdPartition(m, epsilon); },
+                         +[](const TriangleMesh&m, double epsilon) { hacdSegmentation(m, epsilon); }}) {
+    for (const double epsilon : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 0.99e-6 * diagonal(mesh)})
+      EXPECT_EQ(code(mesh, epsilon, act), ErrorCode::kBadOption) << epsilon;
+    TriangleMesh wrong = mesh;
+    wrong.triangles[0][1] = 1000;
+    EXPECT_EQ(code(wrong, 0.1, act), ErrorCode::kIndexOutOfRange);
+  }
+}
+
 TEST(HacdPartition, SingleTriangle) {
   EXPECT_EQ(partition(test_shapes::singleTriangle()), (std::vector<std::vector<int>>{{0}}));
 }
@@ -251,7 +271,11 @@ TEST(HacdPartition, ProgressRisesFromZeroToOne) {
   const TriangleMesh mesh = test_shapes::sphere(1, 5);
   hacdPartition(mesh, kShare * diagonal(mesh), control);
   EXPECT_TRUE(rising);
-  EXPECT_GT(last, 0.9);
+  EXPECT_EQ(last, 1);
+  last = 0;
+  hacdSegmentation(mesh, kShare * diagonal(mesh), control);
+  EXPECT_TRUE(rising);
+  EXPECT_EQ(last, 1);
 }
 
 TEST(HacdPartition, CanBeCancelledHalfway) {

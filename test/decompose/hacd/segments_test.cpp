@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -55,6 +56,10 @@ TEST(SegmentsOf, RepairsAsDecomposingDoes) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   EXPECT_EQ(segmentsOf(soup, 0.03 * diagonal(soup)).segmentation.clusters.size(), 2u);
+}
+
+TEST(SegmentsOf, NeedsAnEpsilon) {
+  for (const double epsilon : {0.0, -1.0, std::nan("")}) EXPECT_THROW(segmentsOf(test_shapes::lBracket(), epsilon), Error);
 }
 
 }  // namespace

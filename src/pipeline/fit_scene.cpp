@@ -299,6 +299,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   check(fit_options);
   checkClearance(request.clearance, robot);
   const Kinematics joints(robot);
+  for (const Configuration& configuration : request.configurations) joints.check(configuration);
   Stopwatch clock;
   refuseLosingCache(options, output);
   for (const std::string& file : request.files) refuseLosingInput(file, output);
@@ -308,6 +309,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   if (decomposedUses(uses) == 0) throw Error(ErrorCode::kBadOption, notesOnUses(robot, decisions.front(), options).front());
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);
+  if (const std::string note = noteOnUnknownPairs(request.disabled, robot); !note.empty()) notes.push_back(note);
   for (const std::string& note : notesOnFarScene(request.scene, request.clearance, robot)) notes.push_back(note);
   std::vector<DisabledPair> disabled;
   runStages({uses, resolverFor(robot, find_package, control), kTreesEnd, control, step}, result,

@@ -13,9 +13,12 @@
 #include <limits>
 #include <mutex>
 #include <queue>
+#include <string>
 
+#include "base/counted.h"
 #include "base/decimal.h"
 #include "base/random.h"
+#include "collision_hulls/error.h"
 #include "reach/box_movement.h"
 #include "reach/obstacle.h"
 #include "reach/sweep.h"
@@ -252,6 +255,12 @@ class PairSearch {
   Reach result_;
 };
 
+void expectIndex(const std::string& what, std::size_t index, std::size_t count) {
+  if (index < count) return;
+  throw Error(ErrorCode::kIndexOutOfRange,
+              "there is no " + what + " " + std::to_string(index) + ": there are " + std::to_string(count) + ", counted from 0");
+}
+
 /// [m] Upper bound on how far a link's points get from the root's origin.
 double reachOf(const ConvexHull& hull, const Chain& chain, const std::vector<JointVariable>& variables) {
   double reach = chain.end.translation().norm(), radius = 0;
@@ -269,6 +278,10 @@ double reachOf(const ConvexHull& hull, const Chain& chain, const std::vector<Joi
 struct ReachProver::Impl {
   Impl(const Kinematics& the_kinematics, const std::vector<ConvexHull>& hulls, const Scene& scene)
       : kinematics(the_kinematics), links(hulls.size()) {
+    if (hulls.size() != kinematics.links())
+      throw Error(ErrorCode::kIndexOutOfRange, "there are hulls of " + counted(hulls.size(), "link") + ", but the robot has " +
+                                                   std::to_string(kinematics.links()) + "; give one for each, without vertices where a " +
+                                                   "link has no geometry");
     for (std::size_t i = 0; i < hulls.size(); ++i) {
       links[i].hull = hulls[i];
       links[i].chain = kinematics.chain(i);
@@ -279,7 +292,8 @@ struct ReachProver::Impl {
 
   /// Null if the link has no geometry.
   const MovedLink* link(std::size_t index) const {
-    const MovedLink& link = links.at(index);
+    expectIndex("link", index, links.size());
+    const MovedLink& link = links[index];
     if (link.hull.vertices.empty()) return nullptr;
     std::call_once(link.once, [&] { link.bodies = sweeps(link.hull, link.chain, kinematics.variables()); });
     return &link;
@@ -329,9 +343,10 @@ Reach ReachProver::betweenLinks(std::size_t link, std::size_t other, double clea
 Reach ReachProver::betweenLinkAndBody(std::size_t link, std::size_t body, double clearance, const ReachOptions& options,
                                       const RunControl& control) const {
   check(clearance, options);
+  expectIndex("body of the scene", body, impl_->obstacles.size());
   const MovedLink* moved = impl_->link(link);
   if (!moved) return neverNear();
-  return PairSearch(impl_->kinematics, {{moved, 0}}, &impl_->obstacles.at(body), clearance, options, control).run();
+  return PairSearch(impl_->kinematics, {{moved, 0}}, &impl_->obstacles[body], clearance, options, control).run();
 }
 
 }  // namespace collision_hulls

@@ -233,11 +233,19 @@ Configuration Kinematics::sample(const std::function<double()>& uniform) const {
   return result;
 }
 
-std::vector<Eigen::Isometry3d> Kinematics::poses(const Configuration& configuration) const {
+void Kinematics::check(const Configuration& configuration) const {
   if (configuration.size() != variables_.size()) {
     throw Error(ErrorCode::kBadOption, "a configuration of " + std::to_string(configuration.size()) + " values was given; the robot has " +
                                            std::to_string(variables_.size()) + " joints that can be set");
   }
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+    if (!std::isfinite(configuration[i]))
+      throw Error(ErrorCode::kBadOption, "a configuration has the value " + decimal(configuration[i]) + " for joint '" +
+                                             variables_[i].name + "'; it must be finite");
+}
+
+std::vector<Eigen::Isometry3d> Kinematics::poses(const Configuration& configuration) const {
+  check(configuration);
   std::vector<Eigen::Isometry3d> result(links_, Eigen::Isometry3d::Identity());
   for (const Joint& joint : joints_) {
     const double value = joint.variable < 0 ? 0 : joint.multiplier * configuration[static_cast<std::size_t>(joint.variable)] + joint.offset;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/decimal.h"
+#include "collision_hulls/error.h"
 
 namespace collision_hulls {
 namespace {
@@ -42,6 +43,7 @@ int decimalsNeeded(double value) {
 
 std::string numberText(double value) {
   if (value == 0) return "0";
+  if (!std::isfinite(value)) throw Error(ErrorCode::kBadOption, "a number of a description is " + decimal(value) + "; it must be finite");
   return fixedDecimal(value, std::max(0, decimalsNeeded(value)));
 }
 

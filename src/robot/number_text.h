@@ -6,7 +6,8 @@
 
 namespace collision_hulls {
 
-/// The shortest decimal text that reads back as exactly `value` (finite), with a point and without an exponent; "0" for -0.
+/// The shortest decimal text that reads back as exactly `value`, with a point and without an exponent; "0" for -0. Throws kBadOption unless
+/// it is finite.
 std::string numberText(double value);
 
 /// The three coordinates, separated by spaces.

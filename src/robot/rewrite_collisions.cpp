@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/in_context.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/collision_text.h"
@@ -113,11 +114,21 @@ std::vector<KnownOrigin> knownOrigins(const LinkText& at) {
   return known;
 }
 
+// Nobody could read back a shape of no size.
+void expectSize(const GeometryElement& shape) {
+  const bool is_mesh = shape.kind == GeometryElement::Kind::kMesh;
+  if (is_mesh ? (shape.scale.array() != 0).all() : isSolidPrimitive(shape)) return;
+  throw Error(ErrorCode::kBadOption, is_mesh ? "a scale is 0; all three must be other numbers" : "a size is not above 0; all must be");
+}
+
 std::string newElements(const LinkText& at, const Layout& layout, Names& names) {
   const std::vector<KnownOrigin> origins = knownOrigins(at);
   std::string text;
   for (const CollisionElement& element : at.by.elements) {
-    text += collisionText({names.unique(element.name), element.geometry}, origins, layout);
+    inContext("a new <collision> of link '" + at.link.name + "'", [&] {
+      expectSize(element.geometry);
+      text += collisionText({names.unique(element.name), element.geometry}, origins, layout);
+    });
   }
   return text;
 }
@@ -211,7 +222,8 @@ void checkLinksExist(const RobotDescription& robot, const std::map<std::string, 
   std::unordered_set<std::string> known;
   for (const LinkDescription& link : robot.links) known.insert(link.name);
   for (const auto& [name, by] : links) {
-    if (!known.count(name)) failInternal("'" + robot.name + "' has no link '" + name + "'");
+    if (!known.count(name))
+      throw Error(ErrorCode::kBadOption, "the robot '" + robot.name + "' has no link '" + name + "'; name one of its links");
   }
 }
 

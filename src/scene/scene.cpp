@@ -55,6 +55,7 @@ void checkMesh(const std::string& name, const TriangleMesh& mesh) {
 
 /// The largest shapes are a little larger than kFurthest, as they lie about round ones.
 void checkHull(const std::string& name, const ConvexHull& hull) {
+  if (hull.vertices.empty()) failBody(name, "is a hull without vertices; remove it, or give it a shape");
   for (const Eigen::Vector3d& v : hull.vertices) {
     if (!(v.cwiseAbs().maxCoeff() <= 2 * kFurthest))
       failBody(name, "has a vertex that is not finite, or more than 2e6 m from its middle; lengths are in metres");

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <map>
 
+#include "base/counted.h"
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/scene.h"
@@ -126,6 +127,9 @@ std::size_t sizesOf(const std::string& kind) {
 }
 
 void setShape(SceneBody& body, const std::string& kind, const std::vector<double>& s) {
+  const std::size_t needed = sizesOf(kind);
+  if (needed > 0 && s.size() != needed)
+    throw Error(ErrorCode::kBadScene, "a " + kind + " of " + counted(s.size(), "size") + " was given; it takes " + std::to_string(needed));
   if (kind == "box") {
     body.shape = boxShape({s[0], s[1], s[2]});
   } else if (kind == "sphere") {

@@ -78,6 +78,7 @@ void move(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 fs::path replacedFolder(const std::string& target) {
+  if (target.empty()) throw Error(ErrorCode::kUnwritableOutput, "the output has no name; name a folder");
   std::error_code error;
   fs::path folder = fs::weakly_canonical(fs::absolute(target), error);
   if (error) throwUnwritable(target, error.message());

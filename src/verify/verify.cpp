@@ -268,6 +268,9 @@ void check(const VerifyOptions& options) {
   if (options.max_uncovered && !(*options.max_uncovered >= 0)) refuse("max-uncovered", *options.max_uncovered);
   if (options.max_protrusion && !(*options.max_protrusion >= 0)) refuse("max-protrusion", *options.max_protrusion);
   if (!(options.close_openings >= 0)) refuse("close-openings", options.close_openings);
+  if (options.jobs < 0)
+    throw Error(ErrorCode::kBadOption,
+                "jobs '" + std::to_string(options.jobs) + "' is invalid: use a number of threads, or 0 for one per core");
 }
 
 [[noreturn]] void refuseNothing(const RobotDescription& robot, const VerifyOptions& options) {

@@ -70,6 +70,15 @@ TEST_F(FitRobotToScene, SaysThatLinksTouchAtRest) {
   EXPECT_TRUE(isNoted(run(robot + mast), "1 pair of links is left out (box and mast): the original meshes touch there at rest"));
 }
 
+TEST_F(FitRobotToScene, NamesDisabledPairsOfLinksThatAreNotThere) {
+  const std::string robot = fixtures::link("base", bracket());
+  request_.disabled = {{"base", "zz", "", ""}, {"", "base", "", ""}};
+  EXPECT_TRUE(
+      isNoted(run(robot), "2 pairs of links that are not to be checked name links that the robot does not have (base and zz, for one)"));
+  request_.disabled = {{"base", "base", "", ""}};
+  EXPECT_FALSE(isNoted(run(robot), "not to be checked"));
+}
+
 TEST_F(FitRobotToScene, SaysThatABodyLiesInsideALink) {
   request_.scene.bodies[0] = {"peg", boxShape(Eigen::Vector3d::Constant(0.01)), at(0.1, 0.015, 0.05)};  // in the middle of a leg
   const RobotResult result = run(fixtures::link("base", bracket()));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
@@ -99,6 +100,11 @@ TEST_F(FitRobotToScene, FindsWrongUseBeforeTheWork) {
   EXPECT_EQ(code(part + "<link name=\"t\"/><joint name=\"m\" type=\"continuous\"><parent link=\"tip\"/><child link=\"t\"/>"
                         "<mimic joint=\"nothing\"/></joint>"),
             ErrorCode::kNotARobot);
+  for (const Configuration& wrong : {Configuration{0}, Configuration{std::nan("")}}) {
+    request_.configurations = {{}, wrong};
+    EXPECT_EQ(code(part), ErrorCode::kBadOption);
+  }
+  request_.configurations.clear();
   request_.clearance = 0;
   EXPECT_EQ(code(part), ErrorCode::kBadOption);
 }

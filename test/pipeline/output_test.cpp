@@ -6,10 +6,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "base/descriptor.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/decompose_robot.h"
 #include "pipeline/fixtures.h"
 #include "pipeline/sample_output.h"
 
@@ -116,6 +118,23 @@ TEST(WriteOutput, RefusesToReplaceTheWorkingFolder) {
   fs::remove_all(out / "a");
   EXPECT_NO_THROW(checkOutput("out"));
   fs::current_path(before);
+}
+
+TEST(WriteOutput, NeedsAName) {
+  const TempFolder folder;
+  const std::string mesh = fixtures::write(folder / "box.obj", fixtures::obj(test_shapes::box(1, 1, 1)));
+  Input input;
+  input.kind = Input::Kind::kMesh;
+  input.path = mesh;
+  const std::vector<std::function<void()>> calls{[] { checkOutput(""); }, [&] { decompose(input, Options(), ""); }};
+  for (const auto& call : calls) {
+    try {
+      call();
+      ADD_FAILURE() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+    }
+  }
 }
 
 TEST(WriteOutput, APackage) {

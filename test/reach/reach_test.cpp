@@ -276,7 +276,9 @@ TEST(Reach, RejectsInvalidArguments) {
   expectError(ErrorCode::kBadOption, {"nan"}, [&] { prover.betweenLinks(0, 1, std::nan("")); });
   expectError(ErrorCode::kBadOption, {"tightness"}, [&] { prover.betweenLinks(0, 1, 0, {100, 1}); });
   expectError(ErrorCode::kBadOption, {"evaluation"}, [&] { prover.betweenLinks(0, 1, 0, {0, 0.5}); });
-  EXPECT_THROW(prover.betweenLinks(0, 2, 0), std::out_of_range);
+  expectError(ErrorCode::kIndexOutOfRange, {"no link 2: there are 2"}, [&] { prover.betweenLinks(0, 2, 0); });
+  expectError(ErrorCode::kIndexOutOfRange, {"no body of the scene 0: there are 0"}, [&] { prover.betweenLinkAndBody(2, 0, 0); });
+  expectError(ErrorCode::kIndexOutOfRange, {"hulls of 1 link,", "has 2"}, [&] { ReachProver(kinematics, {cubeAt({0, 0, 0})}, {}); });
 }
 
 TEST(Reach, CanBeCancelled) {

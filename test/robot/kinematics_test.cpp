@@ -1,6 +1,7 @@
 #include "collision_hulls/robot/kinematics.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "robot/robot_tests.h"
@@ -70,6 +71,16 @@ TEST(Kinematics, AtRestAsInTheDescription) {
   const Kinematics kinematics(description);
   const std::vector<Eigen::Isometry3d> poses = kinematics.poses(kinematics.rest());
   for (std::size_t i = 0; i < poses.size(); ++i) EXPECT_TRUE(poses[i].isApprox(description.links[i].pose)) << description.links[i].name;
+}
+
+TEST(Kinematics, RefusesConfigurationsOfAnotherSizeOrWithoutAValue) {
+  const Kinematics kinematics(robot(links(3) + joint(0, "prismatic", limit(0, 1)) + joint(1, "prismatic", limit(0, 1))));
+  EXPECT_EQ(kinematics.links(), 3u);
+  EXPECT_NO_THROW(kinematics.check({0, 7}));
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Configuration& wrong : {Configuration{0}, {0, 0, 0}, {0, infinity}, {std::nan(""), 0}})
+    expectError(ErrorCode::kBadOption, {"a configuration"}, [&] { kinematics.poses(wrong); });
+  expectError(ErrorCode::kBadOption, {"the value inf for joint 'j1'"}, [&] { kinematics.check({0, infinity}); });
 }
 
 TEST(Kinematics, MimicJointsFollow) {

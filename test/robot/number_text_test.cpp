@@ -8,6 +8,8 @@
 #include <locale>
 #include <random>
 
+#include "collision_hulls/error.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -18,6 +20,10 @@ TEST(NumberText, IsShort) {
   EXPECT_EQ(numberText(-0.1), "-0.1");
   EXPECT_EQ(numberText(1.5707963267949), "1.5707963267949");
   EXPECT_EQ(numberText(1200), "1200");
+}
+
+TEST(NumberText, RefusesWhatIsNotFinite) {
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) EXPECT_THROW(numberText(value), Error);
 }
 
 TEST(NumberText, HasNoExponent) {

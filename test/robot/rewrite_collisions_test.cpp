@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "collision_hulls/robot/robot_description.h"
@@ -61,7 +62,7 @@ TEST(RewriteCollisions, MovedMeshesOfElementsWithAFault) {
 }
 
 TEST(RewriteCollisions, UnknownLink) {
-  expectError(ErrorCode::kInternal, {"no link 'b'"}, [] { rewritten("<robot name='r'><link name='a'/></robot>", {{"b", {}}}); });
+  expectError(ErrorCode::kBadOption, {"no link 'b'"}, [] { rewritten("<robot name='r'><link name='a'/></robot>", {{"b", {}}}); });
 }
 
 TEST(RewriteCollisions, TextOfAnotherRobot) {
@@ -233,6 +234,25 @@ TEST(RewriteCollisions, EscapesWhatAttributesCannotHold) {
       parseRobotDescription(rewritten("<robot name='r'><link name='a'/></robot>", {{"a", {{mesh(odd, odd)}, true}}}));
   EXPECT_EQ(robot.links[0].collisions.at(0).name, odd);
   EXPECT_EQ(robot.links[0].collisions[0].uri, odd);
+}
+
+TEST(RewriteCollisions, RefusesWhatCannotBeWritten) {
+  const std::string text = "<robot name='r'><link name='a'/></robot>";
+  const auto refuses = [&](const CollisionElement& element, const std::string& part) {
+    expectError(ErrorCode::kBadOption, {"link 'a'", part}, [&] { rewritten(text, {{"a", {{element}, true}}}); });
+  };
+  for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    CollisionElement moved = mesh("", "n.stl"), scaled = moved;
+    moved.geometry.origin.translation().y() = wrong;
+    scaled.geometry.scale.x() = wrong;
+    refuses(moved, "must be finite");
+    refuses(scaled, "must be finite");
+  }
+  CollisionElement flat = mesh("", "n.stl"), ball;
+  flat.geometry.scale.z() = 0;
+  refuses(flat, "a scale is 0");
+  ball.geometry.kind = GeometryElement::Kind::kSphere;
+  refuses(ball, "a size is not above 0");
 }
 
 TEST(RewriteCollisions, AnOriginWithoutATextIsWrittenInNumbers) {

@@ -16,6 +16,17 @@ TEST(Shapes, RejectsInvalidSizes) {
   expectError(ErrorCode::kBadScene, {"a plane", "normal"}, [] { planeShape({0, 0, 0}, 1); });
 }
 
+TEST(SetShape, TakesAsManySizesAsTheKindHas) {
+  SceneBody body;
+  for (const std::string kind : {"box", "sphere", "cylinder", "cone", "plane"}) {
+    for (const std::size_t count : {std::size_t{0}, sizesOf(kind) - 1, sizesOf(kind) + 1})
+      expectError(ErrorCode::kBadScene, {"a " + kind + " of " + std::to_string(count) + " size", "takes " + std::to_string(sizesOf(kind))},
+                  [&] { setShape(body, kind, std::vector<double>(count, 1)); });
+    EXPECT_NO_THROW(setShape(body, kind, std::vector<double>(sizesOf(kind), 1)));
+  }
+  expectError(ErrorCode::kBadScene, {"'egg' is not a shape"}, [&] { setShape(body, "egg", {1}); });
+}
+
 TEST(Shapes, Box) {
   const ConvexHull box = boxShape({1, 2, 4});
   EXPECT_EQ(box.vertices.size(), 8u);
@@ -83,6 +94,7 @@ TEST(AddBody, RejectsInvalidBodies) {
   ConvexHull endless_hull = boxShape({1, 1, 1});
   endless_hull.vertices[0].z() = 1e300;
   expectError(ErrorCode::kBadScene, {"'b'", "2e6 m from its middle"}, [&] { addBody(scene, {"b", endless_hull, here}); });
+  expectError(ErrorCode::kBadScene, {"'b'", "hull without vertices"}, [&] { addBody(scene, {"b", ConvexHull(), here}); });
   EXPECT_EQ(scene.bodies.size(), 1u);
 }
 

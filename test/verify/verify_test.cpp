@@ -335,6 +335,9 @@ TEST_F(Verify, NothingToCompareIsAnError) {
   options.max_uncovered = -1;
   const Description full = robot(fixtures::link("a", collision(primitive("box size='1 1 1'"))));
   EXPECT_THROW(verify(full, full, options), Error);
+  options = {};
+  options.jobs = -7;
+  EXPECT_THROW(verify(full, full, options), Error);
   try {
     verify(full, robot(fixtures::link("b", collision(primitive("box size='1 1 1'")))), {});
     ADD_FAILURE() << "two robots";

@@ -66,7 +66,7 @@ struct FitProblem {
   std::vector<KeptBody> kept;
   Scene scene;
   std::vector<DisabledPair> disabled;  ///< pairs of links that are not checked
-  /// to fit to; empty: samples from the joints' whole ranges
+  /// to fit to, of finite values; empty: samples from the joints' whole ranges
   std::vector<Configuration> configurations;
 };
 

@@ -17,7 +17,8 @@ struct SceneRequest {
   double clearance = 0.01;                    ///< [m]
   std::size_t samples = 10000;                ///< per verification batch
   bool compare = false, primitives = true;    ///< see FitOptions
-  std::vector<DisabledPair> disabled;         ///< pairs of links that are not checked
+  std::vector<DisabledPair> disabled;         ///< pairs of links that are not checked; a note names
+                                              ///< one whose links the robot does not have
   std::vector<std::string> notes;             ///< about what was read, for the report
   std::vector<Configuration> configurations;  ///< instead of samples from the joints' whole ranges
   std::vector<std::string> files;             ///< that it was read from: no output may replace them
@@ -54,7 +55,8 @@ void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 /// tolerance; report.scene says why. A tree that the cache holds for the same tolerance needs no
 /// decomposition. Links that `options.links` does not select, and links with a mesh that failed,
 /// are absent from the fit. `method` must be certified. extra_files holds
-/// `config/<robot>_disabled.srdf`. Throws kBadOption, kCancelled.
+/// `config/<robot>_disabled.srdf`. Throws kBadOption, also for configurations of another size or
+/// with values that are not finite; kUnwritableOutput as decomposeRobot(); kCancelled.
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package,
                             const SceneRequest& request, const Options& options,
                             const std::string& output, const RunControl& control = {},

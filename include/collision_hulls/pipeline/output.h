@@ -18,8 +18,8 @@ namespace collision_hulls {
 /// output has them all, and Options::replace_complete is not set. All leave everything as it was.
 bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
 
-/// Throws what writeOutput would throw for such a folder, before the long work. Leaves nothing
-/// behind.
+/// Throws what writeOutput would throw for such a folder, before the long work; kUnwritableOutput
+/// for an empty name. Leaves nothing behind.
 void checkOutput(const std::string& output, const RunControl& control = {});
 
 /// How to use a written output, in lines for a terminal: where it is, how ROS finds it, and what

@@ -64,18 +64,18 @@ struct Reach {
 class ReachProver {
  public:
   /// `links`: per link a hull that encloses all of it, in the link's frame; without vertices if the
-  /// link has no geometry.
+  /// link has no geometry. Throws kIndexOutOfRange unless there is one for each link.
   ReachProver(const Kinematics& kinematics, const std::vector<ConvexHull>& links,
               const Scene& scene);
   ~ReachProver();
   ReachProver(ReachProver&&) noexcept;
 
   /// Two links (indices); `clearance` [m] >= 0. For links that never move relative to each other, a
-  /// single distance decides. Throws kBadOption.
+  /// single distance decides. Throws kBadOption, kIndexOutOfRange, kCancelled.
   Reach betweenLinks(std::size_t link, std::size_t other, double clearance,
                      const ReachOptions& options = {}, const RunControl& control = {}) const;
 
-  /// A link and a body of the scene (indices).
+  /// A link and a body of the scene (indices). Throws as betweenLinks().
   Reach betweenLinkAndBody(std::size_t link, std::size_t body, double clearance,
                            const ReachOptions& options = {}, const RunControl& control = {}) const;
 

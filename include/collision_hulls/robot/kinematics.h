@@ -79,6 +79,8 @@ class Kinematics {
 
   const std::vector<JointVariable>& variables() const { return variables_; }
 
+  std::size_t links() const { return links_; }  ///< how many the robot has
+
   /// All joints of the robot, parents before children.
   std::vector<NamedJoint> joints() const;
 
@@ -93,8 +95,11 @@ class Kinematics {
   /// Each variable between its limits, from numbers in [0, 1).
   Configuration sample(const std::function<double()>& uniform) const;
 
-  /// The links' poses in the root link's frame, in the order of RobotDescription::links. Throws
-  /// kBadOption for a configuration of another size.
+  /// Throws kBadOption for a configuration of another size, or with a value that is not finite.
+  void check(const Configuration& configuration) const;
+
+  /// The links' poses in the root link's frame, in the order of RobotDescription::links. Throws as
+  /// check().
   std::vector<Eigen::Isometry3d> poses(const Configuration& configuration) const;
 
   /// How the joints move a link (index).

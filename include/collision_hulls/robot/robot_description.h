@@ -220,7 +220,9 @@ struct LinkCollisions {
 /// ends. New elements are indented like their neighbours and stand where the first replaced one
 /// stood (after the last `<visual>`, else first in the link, where there was none). A name that is
 /// taken elsewhere in the description gets a number added. Mesh URIs in the `<collision>` elements
-/// that stay become what `moved` says of them, if it does.
+/// that stay become what `moved` says of them, if it does. Throws kBadOption for a link that the
+/// robot does not have and for an origin, a scale or a size that cannot be written, kCancelled, and
+/// kInternal if the text does not read back as it was meant.
 std::string rewriteCollisions(const RobotDescription& robot,
                               const std::map<std::string, LinkCollisions>& links,
                               const std::map<std::string, std::string>& moved = {},

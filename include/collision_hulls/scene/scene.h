@@ -65,13 +65,13 @@ PlacedShape planeShape(const Eigen::Vector3d& normal, double d);
 std::size_t sizesOf(const std::string& kind);
 
 /// Gives a body a shape of that kind. For a plane, also moves the body's pose to the slab. Throws
-/// as the functions above.
+/// as the functions above, and kBadScene for another kind or another number of sizes.
 void setShape(SceneBody& body, const std::string& kind, const std::vector<double>& sizes);
 
 /// Appends a body. Throws kBadScene for a name that is empty, taken or longer than 1000 bytes, a
-/// pose that is not finite or more than 1e6 m out, or a mesh that has no triangles, an index out of
-/// range, or a vertex that is not finite or more than 1e6 m out. Takes time in the number of
-/// bodies: for many, use a SceneBuilder.
+/// pose that is not finite or more than 1e6 m out, a hull without vertices, or a mesh that has no
+/// triangles, an index out of range, or a vertex that is not finite or more than 1e6 m out. Takes
+/// time in the number of bodies: for many, use a SceneBuilder.
 void addBody(Scene& scene, SceneBody body);
 
 /// Appends many bodies to a scene, which nobody else changes meanwhile and which must outlive this.

@@ -58,7 +58,8 @@ struct VerifyOptions {
   std::optional<double> max_uncovered, max_protrusion;
   std::size_t configurations = 1000;  ///< of the robot, in which collisions are queried
   std::uint64_t seed = 1;
-  int jobs = 0;            ///< threads; 0: one per core. The result is the same for any number
+  /// threads, 0 or more; 0: one per core. The result is the same for any number
+  int jobs = 0;
   MeshLimits mesh_limits;  ///< for the meshes of both
 };
 

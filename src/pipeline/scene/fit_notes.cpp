@@ -9,6 +9,7 @@
 
 #include "base/counted.h"
 #include "base/decimal.h"
+#include "base/uri_text.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "pipeline/mesh_result.h"
 #include "report/text_table.h"
@@ -98,6 +99,18 @@ double distanceTo(const SceneBody& body) {
 }
 
 }  // namespace
+
+std::string noteOnUnknownPairs(const std::vector<DisabledPair>& disabled, const RobotDescription& robot) {
+  std::set<std::string> links;
+  for (const LinkDescription& link : robot.links) links.insert(link.name);
+  const auto is_unknown = [&](const DisabledPair& pair) { return links.count(pair.link1) == 0 || links.count(pair.link2) == 0; };
+  const auto first = std::find_if(disabled.begin(), disabled.end(), is_unknown);
+  if (first == disabled.end()) return "";
+  const auto count = static_cast<std::size_t>(std::count_if(first, disabled.end(), is_unknown));
+  return counted(count, "pair") + " of links that " + (count == 1 ? "is" : "are") + " not to be checked " +
+         (count == 1 ? "names" : "name") + " links that the robot does not have (" + shown(first->link1) + " and " + shown(first->link2) +
+         (count == 1 ? "" : ", for one") + "); " + (count == 1 ? "it is" : "they are") + " left out: correct the names";
+}
 
 double reachOf(const RobotDescription& robot) {
   std::map<std::string, double> reach;  // by link

@@ -22,6 +22,9 @@ std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped)
 /// On what was fitted. `unfitted`: links that the options keep or remove.
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted);
 
+/// On pairs that are not to be checked, of links that the robot does not have; empty: there are none.
+std::string noteOnUnknownPairs(const std::vector<DisabledPair>& disabled, const RobotDescription& robot);
+
 /// On a scene of which nothing comes near the robot: one in millimetres is a thousand times too far away.
 std::vector<std::string> notesOnFarScene(const Scene& scene, double clearance, const RobotDescription& robot);
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "mesh/formats/gltf_document.h"
@@ -34,13 +35,16 @@ constexpr double kSecondsPerByte = 1e-6;      // [s] of computing
 constexpr double kClockPerComputing = 10;     // on a machine with much else to do
 
 constexpr const char* kReplace = "the file is damaged or malicious: replace it";
-constexpr const char* kSimplify = "simplify the mesh, or raise reader-memory or reader-time if it is to be trusted";
+constexpr const char* kSimplify =
+    "simplify the mesh, or raise reader-memory or reader-time (MeshLimits: reader_memory, reader_seconds) if it is to be trusted";
 
 constexpr std::uint64_t kBytesPerTriangle = sizeof(Triangle) + 3 * sizeof(Eigen::Vector3d), kLongestError = 1 << 16;
 constexpr std::uint64_t kLongestList = 1 << 23;  // [bytes] of files that hold buffers: a thousand of the longest names are half of it
 
 /// A quarter of the memory is enough for any answer, and no mesh within the limits takes more than so many bytes per triangle.
 ReadingLimits readingLimits(const MeshLimits& limits, std::size_t bytes) {
+  if (!(limits.reader_seconds > 0 && std::isfinite(limits.reader_seconds)))
+    throw Error(ErrorCode::kBadOption, "reader_seconds is " + decimal(limits.reader_seconds) + "; it must be a positive time, in seconds");
   ReadingLimits result;
   result.worker.memory = limits.reader_memory + kMemoryPerByte * bytes;
   const std::uint64_t triangles = std::min<std::uint64_t>(limits.max_triangles, std::numeric_limits<int>::max());

@@ -22,6 +22,13 @@ void checkExtension(const std::string& name) {
               name + ": extension '" + lowerExtension(name) + "' is not supported; convert the file to one of" + list);
 }
 
+/// `bytes`: within the limit.
+LoadedMesh decoded(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
+  control.check();
+  if (lowerExtension(name) == ".stl" && isBinaryStl(bytes)) return readStl(bytes, name, limits, control);
+  return decodeInWorker(bytes, name, limits, control);
+}
+
 }  // namespace
 
 const std::vector<std::string>& meshExtensions() {
@@ -36,14 +43,15 @@ bool isMeshFile(const std::string& path) {
 
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const RunControl& control) {
   checkExtension(path);
-  return parseMesh(readMeshBytes(path, limits, control), path, limits, control);
+  return decoded(readMeshBytes(path, limits, control), path, limits, control);
 }
 
 LoadedMesh parseMesh(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
   checkExtension(name);
-  control.check();
-  if (lowerExtension(name) == ".stl" && isBinaryStl(bytes)) return readStl(bytes, name, limits, control);
-  return decodeInWorker(bytes, name, limits, control);
+  if (bytes.size() > limits.max_bytes)
+    throw Error(ErrorCode::kTooLarge, name + ": has " + std::to_string(bytes.size()) + " bytes, above the limit of " +
+                                          std::to_string(limits.max_bytes) + " for a mesh; give a smaller one");
+  return decoded(bytes, name, limits, control);
 }
 
 }  // namespace collision_hulls

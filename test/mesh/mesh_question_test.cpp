@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -78,6 +80,14 @@ TEST(MeshQuestion, ChecksTheAnswer) {
   expectError("good_mesh\n", "its number of triangles is out of range", limits);
 }
 
+TEST(MeshQuestion, NeedsTime) {
+  MeshLimits limits;
+  for (const double seconds : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    limits.reader_seconds = seconds;
+    expectError(kTriangle, "reader_seconds is", limits, ErrorCode::kBadOption);
+  }
+}
+
 TEST(MeshQuestion, LimitsGrowWithTheFile) {
   if (kSanitized) GTEST_SKIP() << "a sanitizer needs more memory than any limit";
   const Misbehaving misbehaving;
@@ -114,11 +124,11 @@ std::string collada(int side) {
 
 /// Of all formats, Collada takes the most memory for its size.
 TEST(MeshQuestion, HalfTheLimitsWouldDo) {
-  const std::string text = collada(400);
+  const std::string text = collada(250);
   MeshLimits limits;
   limits.reader_memory = limits.reader_memory / 2 - 20 * text.size();  // to which 40 * text.size() is added
   limits.reader_seconds = limits.reader_seconds / 2 - 0.5e-6 * static_cast<double>(text.size());
-  EXPECT_EQ(parseMesh(text, "a.dae", limits).mesh.triangles.size(), 2u * 399 * 399);
+  EXPECT_EQ(parseMesh(text, "a.dae", limits).mesh.triangles.size(), 2u * 249 * 249);
 }
 
 TEST(MeshQuestion, BinaryStlNeedsNoOtherProcess) {

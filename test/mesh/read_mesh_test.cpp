@@ -82,6 +82,24 @@ TEST(ReadMeshError, AFolderIsNotAFile) {
   EXPECT_THROW(readMesh(file.path() + ".stl"), Error);
 }
 
+TEST(ReadMeshError, BytesAboveTheLimit) {
+  MeshLimits limits;
+  for (const auto& [name, bytes] : {std::pair<std::string, std::string>("a.stl", binaryStl("", 2, 2)), {"b.stl", kTextStl}}) {
+    limits.max_bytes = bytes.size();
+    EXPECT_NO_THROW(parseMesh(bytes, name, limits));
+    limits.max_bytes = bytes.size() - 1;
+    expectError(ErrorCode::kTooLarge, "above the limit", name, bytes, limits);
+    try {
+      parseMesh(bytes, name, limits);
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kTooLarge);
+      EXPECT_EQ(std::string(error.what()).rfind(name + ": has " + std::to_string(bytes.size()) + " bytes, above the limit", 0), 0u)
+          << error.what();
+    }
+  }
+}
+
 TEST(ReadMeshError, UnsupportedFormat) {
   expectError(ErrorCode::kUnsupportedFormat, "'.fbx' is not supported; convert the file to one of .stl .dae .obj .off .ply", "a.fbx", "x");
   expectError(ErrorCode::kUnsupportedFormat, "''", "no_extension", "x");

@@ -27,7 +27,7 @@ struct MeshLimits {
   /// What the process that reads a file may use, beside 40 bytes of memory for each byte of the
   /// file and 1 s for each of its megabytes.
   std::uintmax_t reader_memory = std::uintmax_t{512} << 20;  ///< address space [bytes]
-  double reader_seconds = 4;                                 ///< computing time [s]
+  double reader_seconds = 4;                                 ///< computing time [s], > 0
 };
 
 /// The contents of a mesh file.
@@ -66,7 +66,8 @@ bool isMeshFile(const std::string& path);
 /// its folder or below. Throws kFileNotFound, kOutsideRoots (such a buffer lies elsewhere),
 /// kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange,
 /// kTooFarFromOrigin (single precision cannot resolve a thousandth of the mesh's diagonal),
-/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled. Thread safe.
+/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled, and kBadOption for limits without a
+/// positive, finite time. Thread safe.
 ///
 /// Except for binary STL, bytes are decoded in another process, `collision_hulls_reader`, which is
 /// started as needed and can do nothing else. A file that crashes it is kReaderFailed, and one that
@@ -104,7 +105,8 @@ using Rgb = std::array<std::uint8_t, 3>;  ///< red, green and blue
 
 /// A mesh in coloured parts, sets of its triangles, as binary PLY. Vertices have their part's
 /// colour and are written once for each part; faces have its number, `int part`. Coordinates are
-/// single precision. The same mesh gives the same bytes.
+/// single precision. The same mesh gives the same bytes. Throws what check() of
+/// a mesh throws, and kIndexOutOfRange for a triangle that is not there or a part without a colour.
 std::string encodePly(const TriangleMesh& mesh, const std::vector<std::vector<int>>& parts,
                       const std::vector<Rgb>& colours);
 

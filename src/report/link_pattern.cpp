@@ -148,6 +148,8 @@ std::string didYouMeanAny(const std::string& expression) {
 }
 
 LinkPattern::LinkPattern(const std::string& expression, const std::string& option) : option_(option) {
+  if (std::any_of(expression.begin(), expression.end(), isControl))  // which a configuration could not hold
+    throw Error(ErrorCode::kBadOption, option + " '" + shown(expression) + "' holds a control character; leave it out");
   if (std::optional<std::set<std::string>> names = listedNames(expression)) {
     compiled_ = std::move(*names);
     return;

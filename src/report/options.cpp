@@ -60,16 +60,30 @@ struct Quantity {
   bool isShare() const { return unit == "%"; }
 };
 
+/// The value nearest to a hundredth of what a text says: to divide what was rounded would round twice.
+double hundredthOf(const std::string& text) {
+  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+  int exponent = 0;
+  if (e < text.size()) std::istringstream(text.substr(e + 1)) >> exponent;
+  std::istringstream in(text.substr(0, e) + "e" + std::to_string(std::int64_t{exponent} - 2));
+  in.imbue(std::locale::classic());
+  double value = 0;
+  in >> value;
+  return value;
+}
+
 std::optional<Quantity> parseQuantity(const std::string& text) {
   std::istringstream in(text);
   in.imbue(std::locale::classic());
   double number = 0;
   std::string unit, rest;
   if (!(in >> number) || !std::isfinite(number)) return std::nullopt;
+  const auto end = static_cast<std::size_t>(std::max<std::streamoff>(in.tellg(), 0));  // 0: nothing follows the number
   in >> unit >> rest;
   const auto found = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return unit == u.name; });
   if (found == kLengthUnits.end() || !rest.empty()) return std::nullopt;
-  const Quantity quantity{number * found->numerator / found->denominator, unit};
+  Quantity quantity{number * found->numerator / found->denominator, unit};
+  if (quantity.isShare()) quantity.value = hundredthOf(text.substr(0, end));
   const bool in_range = quantity.value > 0 && !(quantity.isShare() && quantity.value > 1);
   return in_range ? std::optional(quantity) : std::nullopt;
 }
@@ -88,9 +102,10 @@ std::optional<Length> pairOf(const std::optional<Quantity>& first, const std::op
 std::optional<std::string> shortest(double value, const char* unit) {
   const auto known = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return std::string(unit) == u.name; });
   for (int digits = 3; digits <= 17; ++digits) {
-    const std::string text = decimal(value * known->denominator / known->numerator, digits) + unit;
-    const std::optional<Quantity> back = parseQuantity(text);
-    if (back && back->value == value) return text;
+    std::ostringstream text = decimalStream(digits);
+    text << static_cast<long double>(value) * known->denominator / known->numerator << unit;  // rounds once, when it is written
+    const std::optional<Quantity> back = parseQuantity(text.str());
+    if (back && back->value == value) return text.str();
   }
   return std::nullopt;
 }

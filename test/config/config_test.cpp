@@ -48,6 +48,14 @@ TEST(ConfigText, SpellsOutTheDefaults) {
             "seed: 1\n");
 }
 
+TEST(ConfigText, SharesComeBackExactly) {
+  for (int thousandths = 1; thousandths <= 1000; ++thousandths) {
+    Options options;
+    options.tolerance = shareOf(thousandths / 1000.0);
+    EXPECT_EQ(optionsOf(configText(options)).tolerance, options.tolerance) << thousandths;
+  }
+}
+
 TEST(ConfigText, ReadsBackAsTheSame) {
   const std::vector<std::string> texts = {
       "", "default: {tolerance: 3%, method: hacd, max_hulls: 4, max_vertices: 0, source: visual}\noutput: {segments: true, format: dae}",

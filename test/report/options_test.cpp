@@ -88,10 +88,22 @@ TEST(ParseLength, TextIsReadBack) {
     EXPECT_EQ(parseLength(toString(lengthOf(value))).limit, value) << "seed 7, draw " << i;
     const double share = std::min(value, 1.0);
     EXPECT_EQ(parseLength(toString({value, share})).limit, value) << "seed 7, draw " << i;
-    EXPECT_DOUBLE_EQ(parseLength(toString({value, share})).share, share) << "seed 7, draw " << i;
+    EXPECT_EQ(parseLength(toString({value, share})).share, share) << "seed 7, draw " << i;
+  }
+  for (int thousandths = 1; thousandths <= 1000; ++thousandths) {
+    const double share = thousandths / 1000.0;
+    EXPECT_EQ(parseLength(toString(shareOf(share))).share, share) << share;
+    EXPECT_LE(toString(shareOf(share)).size(), 5u) << toString(shareOf(share));
   }
   for (const char* text : {"0.1%", "0.3%", "0.7%", "1.1%", "2.9%", "33.3%", "57%", "1cm,5%", "5mm", "2.5mm,0.3%", "20m"})
     EXPECT_EQ(toString(parseLength(text)), text);
+}
+
+TEST(ParseLength, APercentageIsRoundedOnce) {
+  EXPECT_EQ(parseLength("0.7%").share, 0.007);
+  EXPECT_EQ(parseLength("7e-1 %").share, 0.007);
+  EXPECT_EQ(parseLength("0.07e+1%").share, 0.007);
+  EXPECT_EQ(parseLength("1e2%").share, 1);
 }
 
 TEST(ParseLength, TextIsShort) {

@@ -39,7 +39,10 @@ file(RELATIVE_PATH to_libraries "/${PYTHON_DESTINATION}" "/${LIBRARY_DESTINATION
 set_target_properties(${PROJECT_NAME}_python PROPERTIES
   OUTPUT_NAME _core PREFIX "" SUFFIX "${python_suffix}" CXX_VISIBILITY_PRESET hidden
   LIBRARY_OUTPUT_DIRECTORY "${PYTHON_PACKAGE_DIR}" INSTALL_RPATH "$ORIGIN/${to_libraries}")
-configure_file(src/python/${PROJECT_NAME}/__init__.py "${PYTHON_PACKAGE_DIR}/__init__.py" COPYONLY)
+# py.typed: type checkers read the annotations.
+foreach(file __init__.py py.typed)
+  configure_file(src/python/${PROJECT_NAME}/${file} "${PYTHON_PACKAGE_DIR}/${file}" COPYONLY)
+  install(FILES src/python/${PROJECT_NAME}/${file} DESTINATION ${PYTHON_DESTINATION})
+endforeach()
 
 install(TARGETS ${PROJECT_NAME}_python LIBRARY DESTINATION ${PYTHON_DESTINATION})
-install(FILES src/python/${PROJECT_NAME}/__init__.py DESTINATION ${PYTHON_DESTINATION})

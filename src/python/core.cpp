@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/at.h"
@@ -100,6 +101,7 @@ py::dict fieldsOf(const CertifiedHulls& made, const DecomposeOptions& options) {
   fields["tolerance"] = options.tolerance;
   fields["status"] = name(made.within_tolerance ? Status::kOk : Status::kDegraded);
   fields["reason"] = made.reason;
+  fields["least_hulls"] = made.least_hulls;
   return fields;
 }
 
@@ -155,8 +157,8 @@ void addOptions(CommandLine& app, RobotCommand& command) {
   addModelOption(app, command);
 }
 
-/// The options of `decompose` by name, and whether they take a value.
-std::map<std::string, bool> knownOptions() {
+/// The options of `decompose` by name: whether they take a value, and whether they may take several.
+std::map<std::string, std::pair<bool, bool>> knownOptions() {
   RobotCommand command;
   CommandLine app("", "decompose");
   addOptions(app, command);
@@ -212,5 +214,6 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(collision_hulls::translate);
   module.def("decompose", collision_hulls::decomposeArrays, py::arg("vertices"), py::arg("faces"), py::arg("words"), py::arg("look"));
   module.def("options", collision_hulls::knownOptions);
+  module.def("version", collision_hulls::version);
   module.def("decompose_robot", collision_hulls::reportOn, py::arg("words"), py::arg("look"));
 }

@@ -155,10 +155,10 @@ std::string CommandLine::given() const {
   return words;
 }
 
-std::map<std::string, bool> CommandLine::takesValue() const {
-  std::map<std::string, bool> takes;
+std::map<std::string, std::pair<bool, bool>> CommandLine::takesValue() const {
+  std::map<std::string, std::pair<bool, bool>> takes;
   for (const auto& option : options_)
-    if (!option->positional_) takes[option->name_] = option->takes_value_;
+    if (!option->positional_) takes[option->name_] = {option->takes_value_, option->repeatable_};
   return takes;
 }
 

@@ -77,8 +77,9 @@ class CommandLine {
   /// The options given to parse(), as words of a shell: "--output out --quiet". Arguments without a dash are left out.
   std::string given() const;
 
-  /// The long options by name, without dashes, and whether they take a value: {"output": true, "quiet": false}.
-  std::map<std::string, bool> takesValue() const;
+  /// The long options by name, without dashes: whether they take a value, and whether they may take several, as in
+  /// {"model": {true, true}, "output": {true, false}, "quiet": {false, false}}.
+  std::map<std::string, std::pair<bool, bool>> takesValue() const;
 
   const std::string& get_name() const { return program_; }
 

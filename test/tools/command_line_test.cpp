@@ -66,8 +66,10 @@ TEST_F(CommandLineTest, WhatWasGivenIsWordsOfAShell) {
 }
 
 TEST_F(CommandLineTest, OptionsThatTakeAValueAreKnownByName) {
-  const std::map<std::string, bool> expected{{"help", false}, {"version", false}, {"output", true}, {"count", true}, {"factor", true},
-                                             {"peer", true},  {"quiet", false},   {"first", true},  {"second", true}};
+  const std::pair<bool, bool> none{false, false}, one{true, false}, several{true, true};
+  const std::map<std::string, std::pair<bool, bool>> expected{{"help", none},  {"version", none}, {"output", one},
+                                                              {"count", one},  {"factor", one},   {"peer", several},
+                                                              {"quiet", none}, {"first", one},    {"second", one}};
   EXPECT_EQ(line_.takesValue(), expected);
 }
 

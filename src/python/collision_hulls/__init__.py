@@ -28,9 +28,23 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional,
 
 if TYPE_CHECKING:
     import numpy
-    import numpy.typing
+    from numpy.typing import ArrayLike
+
+    Array = numpy.ndarray
+else:  # without numpy, which the messages do not need, type hints are resolved all the same
+    Array = ArrayLike = Any
 
 __all__ = ["Error", "Hull", "Result", "decompose", "decompose_robot"]
+
+
+def __getattr__(name: str) -> Any:
+    """The version is the library's."""
+    if name != "__version__":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from . import _core
+
+    return _core.version()
+
 
 Length = Union[float, str]
 Path = Union[str, bytes, "os.PathLike[str]"]
@@ -62,8 +76,8 @@ class Hull:
     volume: [m^3]
     """
 
-    vertices: numpy.ndarray
-    faces: numpy.ndarray
+    vertices: Array
+    faces: Array
     volume: float
 
 
@@ -78,21 +92,23 @@ class Result:
     tolerance: what the tolerance asked for is for this mesh.
     status: "ok", or "degraded" where the bound exceeds the tolerance (and the padding); the hulls cover the mesh all the same.
     reason: why it is degraded, and what to do about it; else empty.
+    least_hulls: proved: no cover within the tolerance has fewer hulls. None: the search did not need to know, so it was not computed.
     """
 
     hulls: List[Hull]
     bound: float
     found: float
-    where: numpy.ndarray
-    nearest: numpy.ndarray
+    where: Array
+    nearest: Array
     tolerance: float
     status: str
     reason: str
+    least_hulls: Optional[int] = None
 
 
 def decompose(
-    vertices: numpy.typing.ArrayLike,
-    faces: numpy.typing.ArrayLike,
+    vertices: ArrayLike,
+    faces: ArrayLike,
     tolerance: Length = "1cm,5%",
     *,
     method: str = "certified",
@@ -118,6 +134,7 @@ def decompose(
     padding: the hulls hold everything within this distance of the surface, and may protrude by padding and tolerance.
     close_openings: first close openings of a shell up to this width; protrusion is then measured from the closed mesh.
     fill: cover the inside of a closed mesh as well, not its surface alone.
+    seed: of everything random; another one may lead to other hulls.
     jobs: threads; 0: as many as cores.
     progress: called with the share done, from 0 to 1, a few times a second. What it raises ends the work.
 
@@ -249,22 +266,22 @@ def _words(options: Dict[str, Any]) -> List[bytes]:
     for keyword, value in options.items():
         if keyword not in known:
             raise _unknown(keyword, list(known))
-        option, takes_value = known[keyword]
+        option, takes_value, may_repeat = known[keyword]
         if keyword == "links" and isinstance(value, (list, tuple)) and value:
             raise Error(f"links {value!r} is not understood: it takes one regular expression, as in links={'|'.join(map(str, value))!r}", "BadOption")
         if takes_value:
-            for text in _texts(keyword, value):
+            for text in _texts(keyword, value, may_repeat):
                 words += [option + b"=" + text] if text else [option, text]
         elif _is_set(keyword, value):
             words.append(option)
     return words
 
 
-def _known_options() -> Dict[str, Tuple[bytes, bool]]:
-    """By keyword, the words of the program's options, and whether they take a value."""
+def _known_options() -> Dict[str, Tuple[bytes, bool, bool]]:
+    """By keyword, the words of the program's options, whether they take a value, and whether they may take several."""
     from . import _core
 
-    return {_keyword(name): (b"--" + name.encode(), takes_value) for name, takes_value in _core.options().items() if name not in _PROGRAMS_ALONE}
+    return {_keyword(name): (b"--" + name.encode(), *takes) for name, takes in _core.options().items() if name not in _PROGRAMS_ALONE}
 
 
 def _unknown(keyword: str, known: List[str]) -> Error:
@@ -288,22 +305,24 @@ def _is_set(keyword: str, value: Any) -> bool:
     raise Error(f"{keyword} {value!r} is not understood: it takes True or False", "BadOption")
 
 
-def _texts(keyword: str, value: Any) -> List[bytes]:
+def _texts(keyword: str, value: Any, may_repeat: bool) -> List[bytes]:
     plain = _plain(value)
     if plain is None or plain is False:
         return []
-    return [_text(keyword, one) for one in (plain if isinstance(plain, (list, tuple)) else [plain])]
+    if may_repeat and isinstance(plain, (list, tuple)):
+        return [_text(keyword, one) for one in plain]
+    return [_text(keyword, plain, ", or several as a list" if may_repeat else "")]
 
 
-def _text(keyword: str, value: Any) -> bytes:
-    """Numbers with all of their digits."""
+def _text(keyword: str, value: Any, more: str = "") -> bytes:
+    """Numbers with all of their digits. `more`: what else it takes."""
     plain = _plain(value)
     if isinstance(plain, (str, bytes, os.PathLike)):
         return _encoded(keyword, plain)
     if not isinstance(plain, bool):
         with contextlib.suppress(TypeError, ValueError, OverflowError):
             return str(plain.__index__() if hasattr(plain, "__index__") else float(plain)).encode()
-    raise Error(f"{keyword} {value!r} is not understood: it takes a number or a text, or several as a list", "BadOption")
+    raise Error(f"{keyword} {value!r} is not understood: it takes a number or a text{more}", "BadOption")
 
 
 def _encoded(keyword: str, value: Path) -> bytes:
@@ -317,10 +336,12 @@ def _encoded(keyword: str, value: Path) -> bytes:
     return text
 
 
-def _array(value: Any, name: str, kinds: str, content: str) -> numpy.ndarray:
+def _array(value: Any, name: str, kinds: str, content: str) -> Array:
     import numpy
 
     try:
+        if numpy.ma.is_masked(value):  # whose masked numbers numpy.asarray() gives as they are
+            raise Error(f"{name} has masked numbers; fill them in, or leave out what has them", "NotAMesh")
         array = numpy.asarray(value)
     except ValueError as error:
         raise Error(f"{name} cannot be an array ({error}); give N x 3 {content}", "NotAMesh") from None
@@ -334,7 +355,7 @@ def _array(value: Any, name: str, kinds: str, content: str) -> numpy.ndarray:
     return array
 
 
-def _vertices(value: Any) -> numpy.ndarray:
+def _vertices(value: Any) -> Array:
     import numpy
 
     given = _array(value, "vertices", "fiu", "numbers [m]")
@@ -347,7 +368,7 @@ def _vertices(value: Any) -> numpy.ndarray:
     return array
 
 
-def _faces(value: Any, count: int) -> numpy.ndarray:
+def _faces(value: Any, count: int) -> Array:
     import numpy
 
     array = _array(value, "faces", "iu", "whole numbers, the vertices of triangles, such as faces.astype(int)")

@@ -2,10 +2,16 @@
 //
 // For example:
 //
+//     #include "collision_hulls/decompose/certified_hulls.h"
+//
 //     RunControl control;
 //     control.progress = [](double done) { std::cerr << 100 * done << " %\r"; };
-//     std::thread stop([&] { std::cin.get(), control.cancel(); });
-//     const ConvexHull hull = convexHull(points, control);  // throws kCancelled
+//     std::future<CertifiedHulls> work = std::async(std::launch::async, [&] {
+//       return certifiedHulls(mesh, options, control);
+//     });  // its end waits for the thread
+//     const bool late = work.wait_for(std::chrono::minutes(1)) == std::future_status::timeout;
+//     if (late) control.cancel();
+//     const CertifiedHulls result = work.get();  // throws kCancelled
 #pragma once
 
 #include <algorithm>
@@ -20,7 +26,11 @@ namespace collision_hulls {
 /// Passed down by reference through every long-running stage. Thread safe: cancel() and the stages
 /// may run on different threads. Any of those threads may call `progress`, but only one at a time.
 struct RunControl {
-  /// Called with the share of the work done so far, in [0, 1]; never decreases. May be empty.
+  /// Called with the share of the work done so far, in [0, 1]; never decreases. May be empty. What
+  /// it throws ends the work. certifiedHulls(), certifiedSpheres(), decompose() of a mesh,
+  /// hullTree(), acdHulls(), hacdPartition(), hacdSegmentation(), segmentsOf() and validate()
+  /// report, the last time 1; so do the functions for whole robots, see StepCallback. Others, such
+  /// as convexHull(), repair() and leastHulls(), do not.
   std::function<void(double fraction)> progress;
   /// Polled by every check(); true ends the run as cancel() does. For callers that have to poll for
   /// cancellation. Called from any thread, from several at once. May be empty.

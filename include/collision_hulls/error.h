@@ -2,6 +2,8 @@
 //
 // For example:
 //
+//     #include "collision_hulls/mesh/mesh_io.h"
+//
 //     try {
 //       readMesh(file);
 //     } catch (const Error& error) {

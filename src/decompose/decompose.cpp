@@ -23,7 +23,7 @@ void check(const DecomposeOptions& options) {
   const bool needs_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
   const auto expect_known = [&](const char* option, const auto& all, auto value) {
     if (std::find(all.begin(), all.end(), value) != all.end()) return;
-    refuse(std::string(option) + " is " + std::to_string(static_cast<int>(value)) + ", which none has; use an enumerator");
+    refuse(std::string(option) + " is " + std::to_string(static_cast<int>(value)) + ", which is none of the enumerators; use one of them");
   };
   expect_known("method", allMethods(), options.method);
   expect_known("effort", allEfforts(), options.effort);

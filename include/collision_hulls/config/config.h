@@ -2,6 +2,8 @@
 //
 // For example:
 //
+//     #include "collision_hulls/pipeline/decompose_robot.h"
+//
 //     Options options;
 //     apply(readConfig("panda.yaml"), options);
 //     const RobotResult result = decompose(openInput("panda.urdf"), options, "panda_collision");
@@ -55,7 +57,7 @@ void apply(const Config& config, Options& options);
 void apply(const LinkSettings& settings, LinkOptions& options);
 
 /// The configuration that repeats a run with these options, with every default. Reading it back
-/// gives the same options, and the same text.
+/// gives the same options, and the same text, for all options that a run accepts.
 std::string configText(const Options& options);
 
 /// A note for each of `given` (options by their names on the command line) that the configuration

@@ -3,6 +3,9 @@
 //
 // For example:
 //
+//     #include "collision_hulls/pipeline/decompose_robot.h"
+//     #include "collision_hulls/pipeline/output.h"
+//
 //     RobotResult result = decompose(openInput("arm.urdf"), Options(), "arm_collision");
 //     addConsumerFiles({Consumer::kMujoco}, "arm_collision", result);
 //     writeOutput(result, "arm_collision");

@@ -3,6 +3,8 @@
 //
 // For example:
 //
+//     #include "collision_hulls/decompose/certified_hulls.h"
+//
 //     const TriangleMesh closed = closeOpenings(mesh, 0.1);  // those no wider than 10 cm
 //     const CertifiedHulls result = certifiedHulls(closed, options);
 #pragma once

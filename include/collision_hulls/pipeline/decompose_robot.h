@@ -2,6 +2,8 @@
 //
 // For example:
 //
+//     #include "collision_hulls/pipeline/output.h"
+//
 //     const Input input = openInput("arm.urdf");
 //     RobotResult result = decompose(input, Options(), "arm_collision");
 //     writeOutput(result, "arm_collision");
@@ -19,7 +21,7 @@ namespace collision_hulls {
 /// certify; then validate. One bad mesh is a failed row and loses nothing else (its link keeps its
 /// `<collision>` elements as they were). `output` is the folder that the URIs in RobotResult::urdf
 /// will refer to (see defaultOutput); nothing is written here (see writeOutput). Throws kBadOption,
-/// kCancelled.
+/// kUnwritableOutput for an empty `output`, kCancelled.
 RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& find_package,
                            const Options& options, const std::string& output,
                            const RunControl& control = {}, const StepCallback& step = {});

@@ -122,8 +122,9 @@ void apply(const Config& config, Options& options) {
 }
 
 std::string configText(const Options& options) {
-  return "# Settings of the run that wrote this file; pass it to --config to repeat the run.\ndefault: " + yamlDefaults(options) +
-         "\nonly: " + quoted(options.links.empty() ? ".*" : options.links) + "\n" +
+  return "# Settings of the run that wrote this file: --config repeats it, with the same program (and scene).\n"
+         "default: " +
+         yamlDefaults(options) + "\nonly: " + quoted(options.links.empty() ? ".*" : options.links) + "\n" +
          section("links", options.rules, [](const LinkRule& rule) { return quoted(rule.pattern) + ": " + yaml(rule.settings); }) +
          regionsText(options.region_rules) +
          section("models", options.models, [](const ModelOptions& model) { return quoted(model.name) + ": " + yaml(model.tolerance); }) +

@@ -69,9 +69,7 @@ std::map<std::string, std::string> otherFiles(const RobotResult& result, const s
   files[urdfFile(result.robot_name)] = result.urdf;
   for (std::size_t i = 0; i < result.models.size(); ++i)
     files[urdfFile(result.robot_name, result.report.models[i].model)] = result.models[i].urdf;
-  const char* const of_fit =
-      "# The run was a fit to a scene: give this file to fit_scene, with the same scene; decompose makes other hulls of it.\n";
-  files["config/" + fileName(result.robot_name) + "_hulls.yaml"] = (result.report.scene ? of_fit : "") + configText(result.report.options);
+  files["config/" + fileName(result.robot_name) + "_hulls.yaml"] = configText(result.report.options);
   files["package.xml"] = packageXml(package, result, control);
   files["CMakeLists.txt"] = cmakeLists(package, result);
   return files;

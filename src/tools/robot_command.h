@@ -169,7 +169,7 @@ inline void checkNamesFolder(const std::string& output) {
 /// A configuration in the output folder would be replaced by the one that the run writes there.
 inline void checkConfig(const RobotCommand& command, const Input& input, const std::string& output) {
   if (command.config.empty() || input.kind != Input::Kind::kRobot) return;
-  if (liesWithin(command.config, output) && command.config_text.find(configText(command.options)) == std::string::npos)
+  if (liesWithin(command.config, output) && command.config_text != configText(command.options))
     throw Error(ErrorCode::kBadOption,
                 "--config '" + command.config +
                     "' lies in the output folder, which is replaced, and the run would write it differently, such as "

@@ -36,7 +36,7 @@ TEST(ApplyConfig, OnlyNamesItsPlace) {
 
 TEST(ConfigText, SpellsOutTheDefaults) {
   EXPECT_EQ(configText({}),
-            "# Settings of the run that wrote this file; pass it to --config to repeat the run.\n"
+            "# Settings of the run that wrote this file: --config repeats it, with the same program (and scene).\n"
             "default: {tolerance: \"1cm,5%\", method: certified, effort: quick, fill: false, max_hulls: 0, max_vertices: 64, source: auto, "
             "padding: 0, close_openings: 0, shapes: hulls, "
             "tree: none}\n"

@@ -246,7 +246,7 @@ _PROGRAMS_ALONE = ("help", "version", "quiet")
 
 def _keyword(option: str) -> str:
     """What an argument of the program is called here."""
-    return {"INPUT": "path", "for": "consumers", "package-path": "package_paths"}.get(option, option.replace("-", "_"))
+    return {"for": "consumers", "package-path": "package_paths"}.get(option, option.replace("-", "_"))
 
 
 # Quotations and indented lines, which are commands, stay as they are. Else: --OPTION; and OPTION at the start, before its value.

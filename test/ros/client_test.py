@@ -90,6 +90,7 @@ class ClientTest(unittest.TestCase):
         self.assertNotIn("primitive", out)
         for more, word in ((["--srdf", self.folder.file("robot.srdf")], "give the SRDF of this robot"),
                            (["--srdf", "nosuch.srdf"], "SRDF 'nosuch.srdf' is no file"),
+                           (["--srdf", "package://a/b.srdf"], "SRDF 'package://a/b.srdf' is no file"),
                            (["--configurations", "nosuch.csv"], "configurations 'nosuch.csv' is no file"),
                            (["--max-step", "0.1"], "none are given")):
             status, out, err = self.run_client(*fit, *more)

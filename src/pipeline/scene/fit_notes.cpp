@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <variant>
@@ -21,28 +22,50 @@ constexpr double kOften = 0.01;  // of the samples: if a pair of links collides 
 constexpr double kMost = 0.5;    // of the samples: if the robot touches the scene in more, there is a note
 constexpr double kFew = 0.02;    // of the samples: if the robot keeps the clearance in fewer, there is a note
 
+using LeftOut = std::vector<const LeftOutPair*>;
+
+LeftOut leftOut(const FitReport& fit, const std::function<bool(const LeftOutPair&)>& matches) {
+  LeftOut pairs;
+  for (const LeftOutPair& pair : fit.left_out)
+    if (matches(pair)) pairs.push_back(&pair);
+  return pairs;
+}
+
+/// "2 pairs of links are left out (a and b, for one): the original meshes touch there"; one pair at least. `of`: their kind.
+std::string leftOutText(const LeftOut& pairs, const std::string& of, const std::string& between) {
+  const bool is_one = pairs.size() == 1;
+  return counted(pairs.size(), "pair") + " of " + of + (is_one ? " is" : " are") + " left out (" + pairs.front()->first + between +
+         pairs.front()->second + (is_one ? "" : ", for one") + "): the original meshes touch there";
+}
+
+std::string pronoun(const LeftOut& pairs) {
+  return pairs.size() == 1 ? "it" : "them";
+}
+
 /// On links and bodies of the scene that are not checked against each other; empty: there are none.
 std::string noteOnScenePairs(const FitReport& fit) {
-  const auto is_with_scene = [](const LeftOutPair& pair) { return !pair.links; };
-  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_with_scene);
-  if (first == fit.left_out.end()) return "";
-  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_with_scene));
-  return counted(count, "pair") + " of a link and a body of the scene " + (count == 1 ? "is" : "are") + " left out (" + first->first +
-         " against " + first->second + (count == 1 ? "" : ", for one") +
-         "): the original meshes touch there always, or nearly, so the check in the scene says nothing about " +
-         (count == 1 ? "it" : "them") + "; check the scene's pose unless the robot really stands like that";
+  const LeftOut pairs = leftOut(fit, [](const LeftOutPair& pair) { return !pair.links; });
+  if (pairs.empty()) return "";
+  return leftOutText(pairs, "a link and a body of the scene", " against ") +
+         " always, or nearly, so the check in the scene says nothing about " + pronoun(pairs) +
+         "; check the scene's pose unless the robot really stands like that";
 }
 
 /// On links that are left out because they touch in the given configurations, though not at rest; empty: there are none.
 std::string noteOnGivenContacts(const FitReport& fit) {
   if (!fit.given) return "";
-  const auto is_new = [](const LeftOutPair& pair) { return pair.links && pair.reason == "Always" && !pair.at_rest; };
-  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_new);
-  if (first == fit.left_out.end()) return "";
-  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_new));
-  return counted(count, "pair") + " of links " + (count == 1 ? "is" : "are") + " left out (" + first->first + " and " + first->second +
-         (count == 1 ? "" : ", for one") + "): the original meshes touch there in the given configurations, though not at rest, so the " +
-         "check says nothing about " + (count == 1 ? "it" : "them") + "; check the configurations unless the robot really stands like that";
+  const LeftOut pairs = leftOut(fit, [](const LeftOutPair& pair) { return pair.links && pair.reason == "Always" && !pair.at_rest; });
+  if (pairs.empty()) return "";
+  return leftOutText(pairs, "links", " and ") + " in the given configurations, though not at rest, so the check says nothing about " +
+         pronoun(pairs) + "; check the configurations unless the robot really stands like that";
+}
+
+/// On links that are left out because they touch at rest, though often not elsewhere; empty: there are none.
+std::string noteOnRestContacts(const FitReport& fit) {
+  const LeftOut pairs = leftOut(fit, [](const LeftOutPair& pair) { return pair.reason == "Default"; });
+  if (pairs.empty()) return "";
+  return leftOutText(pairs, "links", " and ") + " at rest, though not in all configurations, so the check says nothing about " +
+         pronoun(pairs) + ", and the SRDF disables " + pronoun(pairs) + "; delete there what has to be checked";
 }
 
 /// On pairs of links whose hulls meet in many configurations in which their meshes are near, but do not touch; empty: there are none.
@@ -69,18 +92,6 @@ std::string noteOnFewClear(const FitReport& fit) {
          (fit.clear == 0 ? "the fit had nothing to learn from and its check for false collisions says nothing"
                          : "the fit learned from few, and its check for false collisions says little") +
          "; use a smaller clearance, or give the configurations that matter";
-}
-
-/// On links that are left out because they touch at rest, though often not elsewhere; empty: there are none.
-std::string noteOnRestContacts(const FitReport& fit) {
-  const auto is_default = [](const LeftOutPair& pair) { return pair.reason == "Default"; };
-  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_default);
-  if (first == fit.left_out.end()) return "";
-  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_default));
-  return counted(count, "pair") + " of links " + (count == 1 ? "is" : "are") + " left out (" + first->first + " and " + first->second +
-         (count == 1 ? "" : ", for one") + "): the original meshes touch there at rest, though not in all configurations, so the check " +
-         "says nothing about " + (count == 1 ? "it" : "them") + ", and the SRDF disables " + (count == 1 ? "it" : "them") +
-         "; delete there what has to be checked";
 }
 
 /// [m] From the root's origin to a hull's bounding box, or to a mesh, in which a robot may stand.

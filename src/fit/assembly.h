@@ -12,6 +12,7 @@
 #include "collision_hulls/fit/fit.h"
 #include "collision_hulls/scene/configurations.h"
 #include "fit/detail_tree.h"
+#include "query/box_groups.h"
 
 namespace collision_hulls {
 
@@ -55,6 +56,8 @@ class Assembly {
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<int>& piecesOf(std::size_t part) const { return of_part_[part]; }
+  /// Around the scene's bodies, in its frame.
+  const BoxGroups& bodyBoxes() const { return body_boxes_; }
   Cuts roots() const;
   Cuts cheapest(const Cuts& cuts) const;      ///< with primitives in place of the elements' hulls
   std::size_t hulls(const Cuts& cuts) const;  ///< of the elements
@@ -73,6 +76,7 @@ class Assembly {
   ConfigurationSequence even_, independent_;
   std::vector<Piece> pieces_;
   std::vector<std::vector<int>> of_part_;
+  BoxGroups body_boxes_;
 };
 
 /// Two parts to check against each other, a < b, and the distance [m] from which on the original counts as clear.
@@ -80,22 +84,5 @@ struct PartPair {
   std::size_t a = 0, b = 0;
   double clearance = 0;
 };
-
-/// Two nodes that touch in a sample.
-struct Contact {
-  std::size_t sample = 0;
-  int piece[2] = {0, 0}, node[2] = {0, 0};
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the second piece in the first one's frame
-};
-
-/// Whether the contact's pieces touch with other nodes in place of its own.
-bool touches(const Assembly& assembly, const Contact& contact, int first, int second);
-
-/// All contacts of a model between the parts of these pairs.
-std::vector<Contact> contacts(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places,
-                              std::size_t sample);
-
-/// Whether there is at least one such contact.
-bool inContact(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places);
 
 }  // namespace collision_hulls

@@ -28,7 +28,8 @@ Truth truthOf(const FittedModel& model, const RunControl& control) {
               std::vector<char>(count)};
   forEach(count, [&](std::size_t i) {
     control.check();
-    if (!truth.hit[i]) truth.clear[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(first + i), {});
+    if (!truth.hit[i])
+      truth.clear[i] = isClear(model.assembly, model.originals, model.fitting.pairs(), model.assembly.places(first + i), {});
   });
   return truth;
 }
@@ -47,7 +48,7 @@ class Comparing {
   ModelRow cut(const std::string& name, const Cuts& cuts) const {
     ModelRow row = rowOf(name, hitsOf(cuts));
     row.hulls = model_.assembly.hulls(cuts);
-    for (std::size_t i = 0; i < model_.problem.elements.size(); ++i)
+    for (std::size_t i = 0; i < model_.near.problem.elements.size(); ++i)
       for (const int node : cuts[i]) row.vertices += model_.assembly.pieces()[i].tree->body(node).corners();
     time(cuts, row);
     return row;
@@ -62,9 +63,9 @@ class Comparing {
   /// The largest tolerance whose uniform cut no sample refutes; 0: samples refute even the leaves.
   double adequateTolerance() const {
     double low = 0, high = 0;
-    for (const FitElement& element : model_.problem.elements) high = std::max(high, element.mesh->tree.nodes.back().protrusion);
+    for (const FitElement& element : model_.near.problem.elements) high = std::max(high, element.mesh->tree.nodes.back().protrusion);
     if (adequate(high)) return high;
-    for (const FitElement& element : model_.problem.elements) low = std::max(low, element.mesh->tree.tolerance);
+    for (const FitElement& element : model_.near.problem.elements) low = std::max(low, element.mesh->tree.tolerance);
     if (!adequate(low)) return 0;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = std::sqrt(low * high);
@@ -76,7 +77,8 @@ class Comparing {
  private:
   Cuts cutsAt(double tolerance) const {
     Cuts cuts = model_.assembly.roots();
-    for (std::size_t i = 0; i < model_.problem.elements.size(); ++i) cuts[i] = model_.problem.elements[i].mesh->tree.cutAt(tolerance);
+    for (std::size_t i = 0; i < model_.near.problem.elements.size(); ++i)
+      cuts[i] = model_.near.problem.elements[i].mesh->tree.cutAt(tolerance);
     return cuts;
   }
 
@@ -92,7 +94,7 @@ class Comparing {
     std::set<std::size_t> samples;
     for (const Contact& contact : model_.fitting.seen()) samples.insert(contact.sample);
     const bool refuted = std::any_of(samples.begin(), samples.end(), [&](std::size_t i) {
-      return inContact(model_.assembly, cuts, model_.rules.pairs, model_.assembly.places(i));
+      return inContact(model_.assembly, cuts, model_.fitting.pairs(), model_.assembly.places(i));
     });
     return !refuted && rowOf("", hitsOf(cuts)).phantom == 0;
   }

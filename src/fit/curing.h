@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "collision_hulls/control.h"
-#include "fit/assembly.h"
+#include "fit/contacts.h"
 
 namespace collision_hulls {
 

@@ -11,6 +11,7 @@
 #include "fit/comparison.h"
 #include "fit/enclosing.h"
 #include "fit/fit_report.h"
+#include "fit/near_problem.h"
 
 namespace collision_hulls {
 namespace {
@@ -50,16 +51,18 @@ void check(const FitOptions& options) {
     throw Error(ErrorCode::kBadOption, "samples is " + std::to_string(options.samples) + "; give 1 to " + std::to_string(most));
 }
 
-SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control) {
+SceneFit fitScene(const FitProblem& whole, const FitOptions& options, const RunControl& control) {
   check(options);
-  if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh to fit hulls to; select links that have one");
+  if (whole.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh to fit hulls to; select links that have one");
+  const NearProblem near = nearProblem(whole, options.clearance, control);
+  const FitProblem& problem = near.problem;
   const Assembly assembly(problem, options.seed, control);
   const Originals originals(problem, assembly, control);
   const PairRules rules = pairRules(problem, assembly, originals, options.clearance, control);
   Fitting fitting(problem, options, assembly, originals, rules, control);
   fitting.run();
 
-  const FittedModel model{problem, options, assembly, originals, rules, fitting};
+  const FittedModel model{near, options, assembly, originals, rules, fitting};
   const Hits hits = countHits(model, control);
   SceneFit fit;
   fit.elements = fittedElements(problem, assembly, fitting.cuts(), control);

@@ -57,7 +57,7 @@ std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
 std::optional<double> provedDistance(const FittedModel& model, std::size_t link) {
   for (const PartPair& pair : model.rules.pairs)
     if (pair.a == link || pair.b == link) return std::nullopt;
-  double least = std::numeric_limits<double>::infinity();
+  double least = model.near.far[link];
   for (const ProvedPair& pair : model.rules.proved)
     if (pair.a == link || pair.b == link) least = std::min(least, pair.bound);
   return least;
@@ -96,7 +96,7 @@ Bodies bodiesOf(const FittedModel& model, std::size_t link) {
   Bodies bodies;
   for (const int piece : model.assembly.piecesOf(link)) {
     const auto i = static_cast<std::size_t>(piece);
-    if (i >= model.problem.elements.size()) continue;
+    if (i >= model.near.problem.elements.size()) continue;
     for (const int node : model.fitting.cuts()[i]) {
       const GeometryElement* primitive = model.assembly.pieces()[i].tree->primitive(node);
       ++bodies.all;
@@ -186,7 +186,8 @@ std::size_t clearOnes(const FittedModel& model, const std::vector<char>& marked,
   forEach(marked.size(), [&](std::size_t i) {
     control.check();
     if (marked[i])
-      clear[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(model.fitting.verifiedFrom() + i), {});
+      clear[i] =
+          isClear(model.assembly, model.originals, model.fitting.pairs(), model.assembly.places(model.fitting.verifiedFrom() + i), {});
   });
   return static_cast<std::size_t>(std::count(clear.begin(), clear.end(), 1));
 }
@@ -224,7 +225,7 @@ double upperBound(std::size_t found) {
 }
 
 Hits countHits(const FittedModel& model, const RunControl& control) {
-  const std::vector<PartPair> pairs = lookedAtAndProved(model.rules, model.options.clearance);
+  const CheckedPairs pairs(model.assembly, lookedAtAndProved(model.rules, model.options.clearance));
   const Cuts roots = model.assembly.roots();
   struct Sample {
     std::set<PartIndices> original, before, after;
@@ -242,7 +243,7 @@ Hits countHits(const FittedModel& model, const RunControl& control) {
   });
   Hits result;
   std::map<PartIndices, PairHits>& hits = result.pairs;
-  for (const PartPair& pair : pairs)
+  for (const PartPair& pair : pairs.all())
     hits[{pair.a, pair.b}] = {model.assembly.name(pair.a), model.assembly.name(pair.b), model.assembly.isLink(pair.b)};
   for (const Sample& sample : samples) {
     for (const PartIndices& pair : sample.original) ++hits.at(pair).original;
@@ -269,10 +270,10 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   const auto original = [&] { return PlannerModel(assembly, model.rules, model.originals); };
 
   FitReport report;
-  report.scene = model.problem.scene.name;
+  report.scene = model.near.problem.scene.name;
   report.clearance = model.options.clearance;
   report.samples = count;
-  report.given = !model.problem.configurations.empty();
+  report.given = !model.near.problem.configurations.empty();
   report.asked = model.fitting.asked();
   report.counterexamples = model.fitting.cured();
   const std::vector<char> hit = hits(assembly, fitted, first, count, control), true_hit = hits(assembly, original, first, count, control);
@@ -285,8 +286,9 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   report.clear_of = std::min(count, kLookedAt);
   report.clear = clearOnes(model, std::vector<char>(report.clear_of, 1), control);
   report.phantom_rate_bound = report.given ? 0 : std::min(1.0, upperBound(report.phantom) / static_cast<double>(count));
-  report.pairs = model.rules.pairs.size() + model.rules.proved.size();
-  report.proved_pairs = model.rules.proved.size();
+  report.far_bodies = model.near.far_bodies;
+  report.proved_pairs = model.rules.proved.size() + model.near.links * model.near.far_bodies;
+  report.pairs = model.rules.pairs.size() + report.proved_pairs;
   const PairRules asked = withSrdf(model.rules, assembly);
   std::vector<std::size_t> samples(count);
   std::iota(samples.begin(), samples.end(), first);
@@ -297,7 +299,7 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   report.original_distance_us = distanceTime(assembly, timed_original, samples, control);
   report.hulls = assembly.hulls(cuts);
   report.primitives = primitives(model);
-  for (std::size_t i = 0; i < model.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();
+  for (std::size_t i = 0; i < model.near.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();
   report.links = fittedLinks(model);
   report.leaf_contacts = model.fitting.leafContacts().size();
   report.leaf_contact = worstLeafContacts(model);
@@ -311,7 +313,7 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
 }
 
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits) {
-  const bool all_over = model.problem.configurations.empty();  // samples cover the joints' whole ranges, not only given configurations
+  const bool all_over = model.near.problem.configurations.empty();  // samples cover the joints' whole ranges, not only given configurations
   std::vector<DisabledPair> disabled;
   for (const LeftOutPair& pair : model.rules.left_out) {
     if (!pair.links || (pair.reason == "Always" && !all_over)) continue;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fit/fitting.h"
+#include "fit/near_problem.h"
 
 namespace collision_hulls {
 
@@ -12,14 +13,14 @@ using PartIndices = std::pair<std::size_t, std::size_t>;  // the smaller one fir
 
 /// Everything that a report is made from.
 struct FittedModel {
-  const FitProblem& problem;
+  const NearProblem& near;
   const FitOptions& options;
   const Assembly& assembly;
   const Originals& originals;
   const PairRules& rules;
   const Fitting& fitting;
 
-  std::size_t samples() const { return problem.configurations.empty() ? options.samples : problem.configurations.size(); }
+  std::size_t samples() const { return near.problem.configurations.empty() ? options.samples : near.problem.configurations.size(); }
 };
 
 /// Hits of all pairs that are checked or proved, over the verification samples.

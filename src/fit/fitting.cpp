@@ -21,13 +21,15 @@ struct Answer {
 
 }  // namespace
 
-bool isClear(const Assembly& assembly, const Originals& originals, const std::vector<PartPair>& pairs, const Places& places,
+bool isClear(const Assembly& assembly, const Originals& originals, const CheckedPairs& pairs, const Places& places,
              const std::vector<Contact>& suspects) {
   std::set<std::pair<std::size_t, std::size_t>> suspected;
   const auto part = [&](int piece) { return assembly.pieces()[static_cast<std::size_t>(piece)].part; };
   for (const Contact& contact : suspects) suspected.emplace(part(contact.piece[0]), part(contact.piece[1]));
+  const std::vector<std::size_t> near = pairs.near(originals.boxesOfLinks(places), pairs.clearance());
   const auto is_clear = [&](bool suspect) {
-    return std::all_of(pairs.begin(), pairs.end(), [&](const PartPair& pair) {
+    return std::all_of(near.begin(), near.end(), [&](std::size_t index) {
+      const PartPair& pair = pairs.all()[index];
       return (suspected.count({pair.a, pair.b}) > 0) != suspect || originals.clear(pair, places);
     });
   };
@@ -39,11 +41,11 @@ Answers Fitting::ask(const std::vector<std::size_t>& samples) const {
   forEach(samples.size(), [&](std::size_t i) {
     control_.check();
     const Places places = assembly_.places(samples[i]);
-    std::vector<Contact> current = contacts(assembly_, hull_cuts_, rules_.pairs, places, samples[i]);
-    if (current.empty() || !isClear(assembly_, originals_, rules_.pairs, places, current)) return;
+    std::vector<Contact> current = contacts(assembly_, hull_cuts_, pairs_, places, samples[i]);
+    if (current.empty() || !isClear(assembly_, originals_, pairs_, places, current)) return;
     Answer& answer = answers[i];
     answer.at_leaves = std::any_of(current.begin(), current.end(), [&](const Contact& c) { return touchesAtLeaves(assembly_, c); });
-    answer.roots = contacts(assembly_, assembly_.roots(), rules_.pairs, places, samples[i]);
+    answer.roots = contacts(assembly_, assembly_.roots(), pairs_, places, samples[i]);
     answer.current = std::move(current);
   });
   Answers all;
@@ -95,7 +97,7 @@ void Fitting::takeHulls(const Cuts& cuts) {
 /// Evaluates samples and takes back primitives that collide where the hulls do not; returns the number of such samples. Pairs proved apart
 /// are checked, too: a primitive may protrude beyond the hull that the proof is about.
 std::size_t Fitting::refute(const std::vector<std::size_t>& samples) {
-  const std::vector<PartPair> pairs = lookedAtAndProved(rules_, options_.clearance);
+  const CheckedPairs pairs(assembly_, lookedAtAndProved(rules_, options_.clearance));
   std::vector<std::vector<Contact>> found(samples.size());
   forEach(samples.size(), [&](std::size_t i) {
     control_.check();

@@ -28,6 +28,7 @@ class Fitting {
         assembly_(assembly),
         originals_(originals),
         rules_(rules),
+        pairs_(assembly, rules.pairs),
         control_(control),
         hull_cuts_(assembly.roots()) {}
 
@@ -35,6 +36,7 @@ class Fitting {
 
   const Cuts& cuts() const { return options_.primitives ? cuts_ : hull_cuts_; }
   const Cuts& hullCuts() const { return hull_cuts_; }          ///< with hulls in place of primitives
+  const CheckedPairs& pairs() const { return pairs_; }         ///< to check, by the rules
   std::size_t verifiedFrom() const { return verified_from_; }  ///< first sample of the last batch, on which the model does not depend
   std::size_t asked() const { return asked_.size(); }
   std::size_t cured() const { return cured_; }
@@ -57,6 +59,7 @@ class Fitting {
   const Assembly& assembly_;
   const Originals& originals_;
   const PairRules& rules_;
+  const CheckedPairs pairs_;  // of the rules
   const RunControl& control_;
   Cuts hull_cuts_, cuts_;  // the latter with primitives, once there are any
   std::vector<Contact> roots_, seen_, leaves_;
@@ -66,7 +69,7 @@ class Fitting {
 };
 
 /// Whether the original keeps its clearances; the pairs of `suspects` are checked first.
-bool isClear(const Assembly& assembly, const Originals& originals, const std::vector<PartPair>& pairs, const Places& places,
+bool isClear(const Assembly& assembly, const Originals& originals, const CheckedPairs& pairs, const Places& places,
              const std::vector<Contact>& suspects);
 
 }  // namespace collision_hulls

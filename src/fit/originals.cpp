@@ -72,6 +72,13 @@ double Originals::distanceBelow(double limit, std::size_t a, std::size_t b, cons
   return least;
 }
 
+std::vector<Eigen::AlignedBox3d> Originals::boxesOfLinks(const Places& places) const {
+  std::vector<Eigen::AlignedBox3d> boxes(places.links().size());
+  for (std::size_t link = 0; link < boxes.size(); ++link)
+    for (const Body& body : of_part_[link]) boxes[link].extend(placed(body.body.box(), places[link] * body.origin));
+  return boxes;
+}
+
 bool Originals::contains(std::size_t outer, std::size_t inner, const Places& places) const {
   for (const Body& first : of_part_[outer]) {
     const Eigen::Isometry3d to_first = (places[outer] * first.origin).inverse() * places[inner];

@@ -24,6 +24,9 @@ class Originals {
   /// Whether a component of one part lies inside the other; only for parts that do not touch.
   bool contains(std::size_t outer, std::size_t inner, const Places& places) const;
 
+  /// Boxes around the links, in the scene's frame.
+  std::vector<Eigen::AlignedBox3d> boxesOfLinks(const Places& places) const;
+
   /// Whether a pair keeps its clearance. Contact comes first, since it takes FCL a hundredth of the time of a distance.
   bool clear(const PartPair& pair, const Places& places) const {
     return !touch(pair.a, pair.b, places) && distanceBelow(pair.clearance, pair.a, pair.b, places) >= pair.clearance;

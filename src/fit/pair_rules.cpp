@@ -14,6 +14,7 @@
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/reach/reach.h"
+#include "fit/checked_pairs.h"
 #include "scene/text.h"
 
 namespace collision_hulls {
@@ -60,6 +61,29 @@ std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly
   std::vector<Places> places{assembly.places(assembly.kinematics().rest())};
   for (std::size_t i = 0; i < count; ++i) places.push_back(assembly.places(given ? i * given / count : i));
   return places;
+}
+
+/// For a pair that is never near in any of the places.
+void surveyFar(std::size_t places, double clearance, Sighting& pair) {
+  pair.at_rest = pair.usual = clearance;
+  pair.samples = places - 1;
+}
+
+/// Whether each pair is near in one of the places, by boxes.
+std::vector<char> everNear(const std::vector<Places>& places, const Assembly& assembly, const Originals& originals, double clearance,
+                           const std::vector<Sighting>& sightings, const RunControl& control) {
+  std::vector<PartPair> pairs;
+  for (const Sighting& pair : sightings) pairs.push_back({pair.a, pair.b, clearance});
+  const CheckedPairs checked(assembly, std::move(pairs));
+  std::vector<std::vector<std::size_t>> near(places.size());
+  forEach(places.size(), [&](std::size_t i) {
+    control.check();
+    near[i] = checked.near(originals.boxesOfLinks(places[i]), clearance);
+  });
+  std::vector<char> ever(sightings.size());
+  for (const std::vector<std::size_t>& indices : near)
+    for (const std::size_t index : indices) ever[index] = 1;
+  return ever;
 }
 
 void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
@@ -213,9 +237,13 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
       leaveOut(pair, why);
   }
   const std::vector<Places> places = surveyed(problem, assembly);
+  const std::vector<char> near = everNear(places, assembly, originals, clearance, pairs, control);
   forEach(pairs.size(), [&](std::size_t i) {
     control.check();
-    survey(places, originals, clearance, pairs[i]);
+    if (near[i])
+      survey(places, originals, clearance, pairs[i]);
+    else
+      surveyFar(places.size(), clearance, pairs[i]);
   });
   std::vector<char> may_be_proved;
   std::vector<std::string> nested, close;

@@ -1,16 +1,16 @@
 // Distances are a best-first search: pairs of boxes wait in a heap by a lower bound of their distance, and the search ends once that
-// exceeds the least distance found. Links of a scene are sorted into about sqrt(n) groups of neighbours, each with a box of its own. For
-// FCL's settings, and why, see fcl_bodies.cpp.
+// exceeds the least distance found. Links of a scene are in groups of neighbours. For FCL's settings, and why, see fcl_bodies.cpp.
 #include "collision_hulls/query/boxed_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "query/box_groups.h"
 
 namespace collision_hulls {
 namespace {
@@ -28,14 +28,6 @@ struct Link {
 };
 
 using Boxes = std::vector<Eigen::AlignedBox3d>;
-
-/// Visits the boxes in [first, last) that meet `box` until `visit` returns true; returns whether it did.
-template <typename Visit>
-bool visitMeeting(const Boxes& boxes, const Eigen::AlignedBox3d& box, std::size_t first, std::size_t last, const Visit& visit) {
-  for (std::size_t i = first; i < last; ++i)
-    if (boxes[i].intersects(box) && visit(i)) return true;
-  return false;
-}
 
 bool touch(const Body& a, const Body& b, const Eigen::Isometry3d& of_links) {
   const Eigen::Isometry3d pose = a.inverse * of_links * b.origin;
@@ -98,22 +90,6 @@ double linkDistanceBelow(double limit, const Link& a, const Link& b, const Eigen
   });
 }
 
-/// Sorts so that each run of `size` boxes is a group of neighbours in space.
-void sortIntoGroups(const Boxes& boxes, std::size_t size, std::vector<std::size_t>::iterator first,
-                    std::vector<std::size_t>::iterator last) {
-  const auto count = static_cast<std::size_t>(last - first);
-  if (count <= size) return;
-  Eigen::AlignedBox3d all;
-  std::for_each(first, last, [&](std::size_t i) { all.extend(boxes[i].center()); });
-  Eigen::Index axis;
-  all.sizes().maxCoeff(&axis);
-  const std::size_t groups = (count + size - 1) / size;
-  const auto middle = first + static_cast<std::ptrdiff_t>(groups / 2 * size);
-  std::nth_element(first, middle, last, [&](std::size_t a, std::size_t b) { return boxes[a].center()[axis] < boxes[b].center()[axis]; });
-  sortIntoGroups(boxes, size, first, middle);
-  sortIntoGroups(boxes, size, middle, last);
-}
-
 struct TwoLinks {
   std::size_t a, b;
 };
@@ -136,9 +112,7 @@ struct BoxedModel::Impl {
 
   // For queries against this model as a scene, once it is placed.
   bool grouped = false;
-  std::vector<std::size_t> order;  // of the links
-  std::size_t group_size = 1;      // links that share a box
-  Boxes ordered, groups;           // the links' boxes in this order; the groups' boxes
+  BoxGroups groups;  // of the links' boxes
 
   void checkPlaced() const {
     if (!placed)
@@ -168,25 +142,9 @@ struct BoxedModel::Impl {
   void group() {
     checkPlaced();
     if (grouped) return;
-    order.resize(links.size());
-    std::iota(order.begin(), order.end(), 0);
-    // Makes about as many groups as each has members.
-    group_size = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(std::max(links.size(), std::size_t{1})))));
-    sortIntoGroups(boxes, group_size, order.begin(), order.end());
-    ordered = Boxes(links.size());
-    groups = Boxes((links.size() + group_size - 1) / group_size);
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      Eigen::AlignedBox3d all;
-      for (std::size_t i = g * group_size; i < groupEnd(g); ++i) {
-        ordered[i] = boxes[order[i]];
-        all.extend(ordered[i]);
-      }
-      groups[g] = all;
-    }
+    groups = BoxGroups(boxes);
     grouped = true;
   }
-
-  std::size_t groupEnd(std::size_t group) const { return std::min(links.size(), (group + 1) * group_size); }
 };
 
 BoxedModel::BoxedModel(IgnoredPairs ignored) : impl_(std::make_unique<Impl>(std::move(ignored))) {}
@@ -248,12 +206,8 @@ bool BoxedModel::collides(BoxedModel& scene) {
   own.checkPlaced();
   scene.impl_->group();
   for (std::size_t a = 0; a < own.links.size(); ++a) {
-    const Eigen::AlignedBox3d box = own.boxes[a];
-    const auto in_group = [&](std::size_t g) {
-      return visitMeeting(other.ordered, box, g * other.group_size, other.groupEnd(g),
-                          [&](std::size_t i) { return !own.ignores(a, other, other.order[i]) && own.touches(a, other, other.order[i]); });
-    };
-    if (visitMeeting(other.groups, box, 0, other.groups.size(), in_group)) return true;
+    const auto touches = [&](std::size_t b) { return !own.ignores(a, other, b) && own.touches(a, other, b); };
+    if (other.groups.visitMeeting(own.boxes[a], touches)) return true;
   }
   return false;
 }
@@ -264,15 +218,15 @@ double BoxedModel::distance(BoxedModel& scene, double limit) {
   scene.impl_->group();
   std::vector<Near> near;
   for (std::size_t a = 0; a < own.links.size(); ++a)
-    for (std::size_t g = 0; g < other.groups.size(); ++g) {
-      const double bound = own.boxes[a].exteriorDistance(other.groups[g]);
+    for (std::size_t g = 0; g < other.groups.count(); ++g) {
+      const double bound = own.boxes[a].exteriorDistance(other.groups.box(g));
       if (bound < limit) near.push_back({a, g, bound});
     }
   return leastDistance(std::move(near), limit, [&](const Near& pair, double least) {
     std::vector<Near> members;
-    for (std::size_t i = pair.b * other.group_size; i < other.groupEnd(pair.b); ++i)
-      if (!own.ignores(pair.a, other, other.order[i]))
-        members.push_back({pair.a, other.order[i], own.boxes[pair.a].exteriorDistance(other.ordered[i])});
+    for (const BoxGroups::Member* member = other.groups.begin(pair.b); member != other.groups.end(pair.b); ++member)
+      if (!own.ignores(pair.a, other, member->index))
+        members.push_back({pair.a, member->index, own.boxes[pair.a].exteriorDistance(member->box)});
     return leastDistance(std::move(members), least,
                          [&](const Near& member, double so_far) { return own.distanceBelow(so_far, member.a, other, member.b); });
   });

@@ -21,6 +21,7 @@
 #include "collision_hulls/error.h"
 #include "reach/box_movement.h"
 #include "reach/obstacle.h"
+#include "reach/reach_ball.h"
 #include "reach/sweep.h"
 #include "scene/low_discrepancy.h"
 
@@ -263,14 +264,10 @@ void expectIndex(const std::string& what, std::size_t index, std::size_t count) 
 
 /// [m] Upper bound on how far a link's points get from the root's origin.
 double reachOf(const ConvexHull& hull, const Chain& chain, const std::vector<JointVariable>& variables) {
-  double reach = chain.end.translation().norm(), radius = 0;
+  double radius = 0;
   for (const Eigen::Vector3d& v : hull.vertices) radius = std::max(radius, v.norm());
-  for (const ChainJoint& joint : chain.joints) {
-    reach += joint.origin.translation().norm();
-    const JointRange range = rangeOf(joint, variables);
-    if (!joint.turns) reach += std::max(std::abs(range.lower), std::abs(range.upper));
-  }
-  return reach + radius;
+  const ReachBall ball = reachBall(chain, variables, radius);
+  return ball.centre.norm() + ball.radius;
 }
 
 }  // namespace

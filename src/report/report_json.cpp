@@ -169,6 +169,7 @@ json toJson(const FitReport& fit) {
           {"leaf_contacts", fit.leaf_contacts},
           {"pairs", fit.pairs},
           {"proved_pairs", fit.proved_pairs},
+          {"far_bodies", fit.far_bodies},
           {"query_us", fit.query_us},
           {"original_query_us", fit.original_query_us},
           {"distance_us", fit.distance_us},

@@ -22,7 +22,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kDepth = 16;
-constexpr std::size_t kMostBoxes = 10'000;
+constexpr std::size_t kMostBoxes = 100'000;
 constexpr std::size_t kMostCells = 20'000'000;
 
 [[noreturn]] void fail(const std::string& reason) {

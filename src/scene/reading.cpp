@@ -27,11 +27,15 @@ TriangleMesh MeshLibrary::read(const std::string& uri, const Eigen::Vector3d& sc
   const auto found = by_path_.find(path);
   const TriangleMesh& mesh =
       found != by_path_.end() ? found->second : by_path_.emplace(path, readMesh(path, how_.limits, how_.control).mesh).first->second;
-  triangles_ += mesh.triangles.size();
+  count(mesh.triangles.size(), path);
+  return scaled(mesh, scale);
+}
+
+void MeshLibrary::count(std::size_t triangles, const std::string& path) {
+  triangles_ += triangles;
   if (triangles_ > how_.limits.max_triangles)
     throw Error(ErrorCode::kTooLarge, "the meshes of this scene have more than " + std::to_string(how_.limits.max_triangles) +
                                           " triangles in all, one that is used twice counted twice; simplify '" + path + "'");
-  return scaled(mesh, scale);
 }
 
 std::vector<std::string> MeshLibrary::files() const {

@@ -34,6 +34,8 @@ class MeshLibrary {
   /// Relative URIs are resolved against the folder of `base` (a file). Throws the errors of resolveUri(), readMesh() and scaled(),
   /// and kTooLarge where all meshes together have more triangles than one may have.
   TriangleMesh read(const std::string& uri, const Eigen::Vector3d& scale, const std::string& base);
+  /// Counts triangles that were read elsewhere, from `path`. Throws that kTooLarge, too.
+  void count(std::size_t triangles, const std::string& path);
   std::vector<std::string> files() const;
 
  private:
@@ -41,6 +43,9 @@ class MeshLibrary {
   std::map<std::string, TriangleMesh> by_path_;
   std::size_t triangles_ = 0;  // of all that were returned
 };
+
+/// readScene(), as it was told to read.
+Scene readSceneFile(const std::string& file, const SceneReading& how);
 
 // One reader per format; see readScene(). They may return an empty scene, which the caller judges.
 Scene readMoveItScene(const std::string& file, const RunControl& control);

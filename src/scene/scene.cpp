@@ -145,9 +145,8 @@ void addBody(Scene& scene, SceneBody body) {
   SceneBuilder(scene).add(std::move(body));
 }
 
-Scene readScene(const std::string& file, const PackageFinder& find_package, const MeshLimits& limits, const RunControl& control,
-                const std::vector<std::string>& package_path) {
-  std::optional<Scene> scene = readByExtension(file, {find_package, limits, control, package_path});
+Scene readSceneFile(const std::string& file, const SceneReading& how) {
+  std::optional<Scene> scene = readByExtension(file, how);
   std::error_code none;
   if (!scene && std::filesystem::is_directory(file, none))
     throw Error(ErrorCode::kUnsupportedFormat, "'" + file + "' is a folder; give a scene file in it");
@@ -164,6 +163,11 @@ Scene readScene(const std::string& file, const PackageFinder& find_package, cons
                 "'" + file + "' is a scene without geometry; if it should be empty, give a .yaml file with " + "the line 'bodies: []'");
   }
   return std::move(*scene);
+}
+
+Scene readScene(const std::string& file, const PackageFinder& find_package, const MeshLimits& limits, const RunControl& control,
+                const std::vector<std::string>& package_path) {
+  return readSceneFile(file, {find_package, limits, control, package_path});
 }
 
 }  // namespace collision_hulls

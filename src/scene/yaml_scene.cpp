@@ -16,13 +16,16 @@
 namespace collision_hulls {
 namespace {
 
-const std::set<std::string> kShapes{"box", "sphere", "cylinder", "cone", "plane", "mesh"};
+const std::set<std::string> kShapes{"box", "sphere", "cylinder", "cone", "plane", "mesh", "scene"};
+constexpr int kDeepestScene = 20;
+constexpr std::size_t kMostScenes = 1000;
 
 void expectKeys(const YamlValue& map, const std::set<std::string>& known) {
   std::set<std::string> seen;
   for (const std::string& key : map.keys()) {
     if (!known.count(key) && key.rfind("frame", 0) == 0)
-      map.fail("'" + shown(key) + "' is not known here: all poses of a scene are in the frame of the robot's root link; remove it");
+      map.fail("'" + shown(key) + "' is not known here: all poses of a scene are in the frame of the robot's root link; remove it. To " +
+               "move a whole scene, name its file in another one: {name: cell, scene: cell.yaml, pose: {xyz: [1, 0, 0]}}");
     if (!known.count(key))
       map.fail("'" + shown(key) + "' is not known here; use one of " + listed(known) + didYouMean(key, {known.begin(), known.end()}));
     if (!seen.insert(key).second) map.fail("'" + key + "' appears twice; remove one");
@@ -66,45 +69,90 @@ std::string shapeOf(const YamlValue& body) {
   }
   if (found.size() != 1) {
     body.fail("a body needs one shape, this one has " + std::to_string(found.size()) +
-              "; shapes are box, sphere, cylinder, cone, plane and mesh");
+              "; shapes are box, sphere, cylinder, cone, plane, mesh, and scene for all bodies of another file");
   }
   return found.front();
 }
 
+/// A file, and where its bodies go.
+struct PlacedFile {
+  std::string path;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  std::string prefix = {};  // of the bodies' names
+  int depth = 0;
+};
+
 class YamlSceneReader {
  public:
-  YamlSceneReader(const std::string& file, const SceneReading& how) : file_(file), control_(how.control), meshes_(how) {}
+  explicit YamlSceneReader(const SceneReading& how) : how_(how), meshes_(how) {}
 
-  Scene read() {
-    const YamlValue root = YamlValue::parse(readTextFile(file_, ".yaml file", control_), file_, ErrorCode::kBadScene, 1, control_);
-    if (root.isMap()) expectKeys(root, {"name", "bodies"});
-    if (!root.has("bodies")) root.fail("a scene needs a list 'bodies:'; an empty scene has 'bodies: []'");
-    Scene scene;
-    SceneBuilder builder(scene);
-    if (root.has("name")) scene.name = root["name"].text();
-    std::size_t number = 0;
-    for (const YamlValue& value : root["bodies"].items()) {
-      control_.check();
-      SceneBody body = bodyOf(value.called(labelOf(value, ++number)));
-      inContext(value.where(), [&] { builder.add(std::move(body)); });
-    }
-    scene.files = meshes_.files();
-    return scene;
+  Scene read(const std::string& path) {
+    scene_.name = addAll({path});
+    const std::vector<std::string> meshes = meshes_.files();
+    scene_.files.insert(scene_.files.end(), meshes.begin(), meshes.end());
+    return std::move(scene_);
   }
 
  private:
-  SceneBody bodyOf(const YamlValue& value) {
-    expectKeys(value, {"name", "pose", "scale", "box", "sphere", "cylinder", "cone", "plane", "mesh"});
-    SceneBody body;
-    body.name = value["name"].text();
-    if (value.has("pose")) body.pose = pose(value["pose"]);
-    const std::string shape = shapeOf(value);
-    if (value.has("scale") && shape != "mesh") value.fail("only a mesh has a scale; give the " + shape + " its size");
-    setShape(shape, value, body);
-    return body;
+  /// Returns the name that the file gives its scene, or "".
+  std::string addAll(const PlacedFile& file) {
+    const std::string text = readTextFile(file.path, ".yaml file", how_.control);
+    const YamlValue root = YamlValue::parse(text, file.path, ErrorCode::kBadScene, 1, how_.control);
+    if (root.isMap()) expectKeys(root, {"name", "bodies"});
+    if (!root.has("bodies")) root.fail("a scene needs a list 'bodies:'; an empty scene has 'bodies: []'");
+    std::size_t number = 0;
+    for (const YamlValue& value : root["bodies"].items()) {
+      how_.control.check();
+      add(value.called(labelOf(value, ++number)), file);
+    }
+    return root.has("name") ? root["name"].text() : "";
   }
 
-  void setShape(const std::string& shape, const YamlValue& value, SceneBody& body) {
+  void add(const YamlValue& value, const PlacedFile& file) {
+    expectKeys(value, {"name", "pose", "scale", "box", "sphere", "cylinder", "cone", "plane", "mesh", "scene"});
+    const std::string name = value["name"].text();
+    if (name.empty()) value.fail("a body has no name; give it one");
+    SceneBody body;
+    body.name = file.prefix + name;
+    body.pose = file.pose;
+    if (value.has("pose")) body.pose = file.pose * pose(value["pose"]);
+    const std::string shape = shapeOf(value);
+    if (value.has("scale") && shape != "mesh") value.fail("only a mesh has a scale; give the " + shape + " its size");
+    if (shape == "scene") {
+      addScene(value, file, body);
+      return;
+    }
+    setShape(shape, value, file.path, body);
+    inContext(value.where(), [&] { builder_.add(std::move(body)); });
+  }
+
+  /// All bodies of another file, as "name/their name". `whole` has that name and their pose.
+  void addScene(const YamlValue& value, const PlacedFile& file, const SceneBody& whole) {
+    if (file.depth == kDeepestScene) value.fail("scenes nest deeper than 20; does one include itself?");
+    if (++scenes_ > kMostScenes) value.fail("more than 1,000 scenes within scenes; join some");
+    inContext(value.place(), [&] {
+      const PlacedFile inner{resolveUri(value["scene"].text(), file.path, how_.find_package), whole.pose, whole.name + "/", file.depth + 1};
+      const std::string extension = lowerExtension(inner.path);
+      scene_.files.push_back(inner.path);
+      if (extension == ".yaml" || extension == ".yml")
+        addAll(inner);
+      else
+        addOther(inner);
+    });
+  }
+
+  void addOther(const PlacedFile& file) {
+    Scene scene = readSceneFile(file.path, how_);
+    scene_.files.insert(scene_.files.end(), scene.files.begin(), scene.files.end());
+    for (SceneBody& body : scene.bodies) {
+      body.name = file.prefix + body.name;
+      body.pose = file.pose * body.pose;
+      if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) meshes_.count(mesh->triangles.size(), file.path);
+      builder_.add(std::move(body));
+    }
+  }
+
+  void setShape(const std::string& shape, const YamlValue& value, const std::string& file, SceneBody& body) {
     std::vector<double> sizes;
     if (shape == "sphere") sizes = {value[shape].number()};
     if (sizesOf(shape) > 1) sizes = value[shape].numbers(sizesOf(shape));
@@ -112,21 +160,23 @@ class YamlSceneReader {
     const std::string uri = shape == "mesh" ? value[shape].text() : "";
     inContext(value.place(), [&] {
       if (shape == "mesh")
-        body.shape = meshes_.read(uri, scale, file_);
+        body.shape = meshes_.read(uri, scale, file);
       else
         collision_hulls::setShape(body, shape, sizes);
     });
   }
 
-  const std::string file_;
-  const RunControl& control_;
+  const SceneReading& how_;
   MeshLibrary meshes_;
+  Scene scene_;
+  SceneBuilder builder_{scene_};
+  std::size_t scenes_ = 0;  // within scenes
 };
 
 }  // namespace
 
 Scene readYamlScene(const std::string& file, const SceneReading& how) {
-  return YamlSceneReader(file, how).read();
+  return YamlSceneReader(how).read(file);
 }
 
 }  // namespace collision_hulls

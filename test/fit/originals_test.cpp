@@ -1,8 +1,9 @@
+// Also tests src/fit/contacts.cpp.
 #include "fit/originals.h"
 
 #include <gtest/gtest.h>
 
-#include "fit/assembly.h"
+#include "fit/contacts.h"
 #include "fit/fit_fixtures.h"
 #include "fit/pair_rules.h"
 
@@ -92,7 +93,7 @@ TEST(Assembly, RootsTouchThePostAndLeavesDoNot) {
   const FitProblem problem = overPost();
   const Assembly assembly(problem, 1);
   const Places rest = assembly.places(assembly.kinematics().rest());
-  const std::vector<PartPair> pairs{{1, 2, 0.01}};
+  const CheckedPairs pairs(assembly, {{1, 2, 0.01}});
   EXPECT_TRUE(inContact(assembly, assembly.roots(), pairs, rest));
   EXPECT_EQ(contacts(assembly, assembly.roots(), pairs, rest, 0).size(), 1u);
   Cuts leaves = assembly.roots();

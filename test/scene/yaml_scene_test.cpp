@@ -1,3 +1,5 @@
+#include <set>
+
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {
@@ -43,6 +45,73 @@ TEST(YamlScene, MeshesInPackages) {
   const TemporaryFolder elsewhere;  // packages beside the scene are found without a finder's help
   const std::string alone = elsewhere.write("a.yml", "bodies:\n- {name: a, mesh: 'package://cell/meshes/t.obj'}");
   expectError(ErrorCode::kPackageNotFound, {"line 2", "'a'", "cell"}, [&] { readScene(alone, noPackages()); });
+}
+
+TEST(YamlScene, TakesAllBodiesOfOtherFiles) {
+  const TemporaryFolder folder;
+  folder.write("rooms/t.obj", kTriangleObj);
+  folder.write("rooms/hall.yaml", "bodies:\n- {name: step, box: [1, 1, 1], pose: {xyz: [0, 0, 2]}}\n- {name: part, mesh: t.obj}");
+  folder.write("cell.urdf",
+               "<robot name='cell'><link name='table'><collision><geometry><box size='1 1 1'/></geometry></collision></link></robot>");
+  folder.write("b.yaml", "bodies:\n- {name: work, scene: cell.urdf, pose: {xyz: [0, 5, 0]}}");
+  const Scene scene = sceneOf(folder, "a.yaml", R"(bodies:
+- {name: home, scene: rooms/hall.yaml, pose: {xyz: [1, 0, 0], rpy: [1.5707963267948966, 0, 0]}}
+- {name: work, scene: cell.urdf, pose: {xyz: [0, 5, 0]}}
+- {name: again, scene: b.yaml, pose: {xyz: [0, 0, 10]}}
+)");
+  ASSERT_EQ(scene.bodies.size(), 4u);
+  EXPECT_EQ(scene.bodies[0].name, "home/step");
+  expectBox(scene.bodies[0], {0.5, -2.5, -0.5}, {1.5, -1.5, 0.5});
+  EXPECT_EQ(scene.bodies[1].name, "home/part") << "its path is relative to the file that names it";
+  EXPECT_EQ(scene.bodies[2].name, "work/table");
+  expectBox(scene.bodies[2], {-0.5, 4.5, -0.5}, {0.5, 5.5, 0.5});
+  EXPECT_EQ(scene.bodies[3].name, "again/work/table");
+  expectBox(scene.bodies[3], {-0.5, 4.5, 9.5}, {0.5, 5.5, 10.5});
+  const std::set<std::string> read(scene.files.begin(), scene.files.end());
+  for (const char* const name : {"rooms/hall.yaml", "rooms/t.obj", "cell.urdf", "b.yaml"})
+    EXPECT_TRUE(read.count(folder.path(name))) << name;
+}
+
+TEST(YamlScene, OtherFilesThatFailAreNamed) {
+  const TemporaryFolder folder;
+  const auto expectBad = [&](ErrorCode code, const std::vector<std::string>& parts, const std::string& bodies) {
+    expectError(code, parts, [&] { sceneOf(folder, "a.yaml", "bodies:\n" + bodies); });
+  };
+  folder.write("bad.yaml", "bodies:\n- {name: ball, sphere: -1}");
+  folder.write("t.txt", kTriangleObj);
+  folder.write("good.yaml", "bodies:\n- {name: ball, sphere: 1}");
+  expectBad(ErrorCode::kBadScene, {"a.yaml", "line 2, body 'room'", "bad.yaml", "'ball'", "-1"}, "- {name: room, scene: bad.yaml}");
+  expectBad(ErrorCode::kFileNotFound, {"a.yaml", "'room'", "none.yaml"}, "- {name: room, scene: none.yaml}");
+  expectBad(ErrorCode::kUnsupportedFormat, {"a.yaml", "'room'", "unknown scene format"}, "- {name: room, scene: t.txt}");
+  expectBad(ErrorCode::kBadScene, {"only a mesh", "scene"}, "- {name: room, scene: good.yaml, scale: [2, 2, 2]}");
+  expectBad(ErrorCode::kBadScene, {"good.yaml", "body 'room/ball' appears twice"},
+            "- {name: room/ball, sphere: 1}\n- {name: room, scene: good.yaml}");
+  expectBad(ErrorCode::kBadScene, {"deeper than 20; does one include itself?"}, "- {name: room, scene: a.yaml}");
+  expectBad(ErrorCode::kBadScene, {"line 2", "has no name"}, "- {name: '', scene: good.yaml}");
+}
+
+TEST(YamlScene, MeshesOfOtherFilesCountForItsLimit) {
+  const TemporaryFolder folder;
+  folder.write("t.obj", kTriangleObj);
+  const std::string file = folder.write("a.yaml", "bodies:\n- {name: a, scene: t.obj}\n- {name: b, scene: t.obj}");
+  MeshLimits limits;
+  limits.max_triangles = 2;
+  EXPECT_EQ(readScene(file, noPackages(), limits).bodies.size(), 2u);
+  limits.max_triangles = 1;
+  expectError(ErrorCode::kTooLarge, {"line 3, body 'b'", "more than 1 triangles in all"}, [&] { readScene(file, noPackages(), limits); });
+}
+
+TEST(YamlScene, ScenesThatMultiplyEnd) {
+  const TemporaryFolder folder;
+  std::string many = "bodies:\n";
+  for (int i = 0; i < 30; ++i) many += "- {name: '" + std::to_string(i) + "', scene: NEXT}\n";
+  for (int level = 0; level < 4; ++level) {
+    std::string text = many;
+    for (std::size_t at = 0; (at = text.find("NEXT", at)) != std::string::npos;) text.replace(at, 4, std::to_string(level + 1) + ".yaml");
+    folder.write(std::to_string(level) + ".yaml", text);
+  }
+  folder.write("4.yaml", "bodies: []");
+  expectError(ErrorCode::kBadScene, {"more than 1,000 scenes within scenes"}, [&] { readScene(folder.path("0.yaml"), noPackages()); });
 }
 
 TEST(YamlScene, ErrorsNameTheFaultAndTheLine) {
@@ -105,7 +174,8 @@ TEST(YamlScene, AKeyThatIsAlmostKnownIsSuggested) {
   };
   expectBad({"body 'a': 'poes' is not known here", "did you mean 'pose'?"}, "bodies: [{name: a, sphere: 1, poes: {}}]");
   expectBad({"body 'a', pose: 'xyzs' is not known here", "did you mean 'xyz'?"}, "bodies: [{name: a, sphere: 1, pose: {xyzs: [0, 0, 0]}}]");
-  expectBad({"'frame_id' is not known here: all poses of a scene are in the frame of the robot's root link"}, "frame_id: a\nbodies: []");
+  expectBad({"'frame_id' is not known here: all poses of a scene are in the frame of the robot's root link", "scene: cell.yaml"},
+            "frame_id: a\nbodies: []");
   expectBad({"'boddies' is not known here", "did you mean 'bodies'?"}, "boddies: []");
 }
 

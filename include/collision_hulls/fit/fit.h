@@ -5,8 +5,8 @@
 // robot keeps at least c from the scene and from itself. Every cut covers its mesh, so no model
 // misses a collision; a coarse one has false collisions.
 //
-//   1. prove which pairs of bodies can never come within c of each other; leave out the pairs that
-//      self-collision checking skips
+//   1. prove which pairs of bodies can never come within c of each other, at once for what is far
+//      from the robot; leave out the pairs that self-collision checking skips
 //   2. start with one hull per mesh: the root of its tree
 //   3. sample configurations: where the model collides though the original is clear, open tree
 //      nodes (replace them by their children), the cheapest cure first, until the model is free
@@ -161,6 +161,9 @@ struct FitReport {
   std::size_t leaf_contacts = 0;
   std::string leaf_contact;  ///< the pairs that have most of them, with the distance in one
   std::size_t pairs = 0, proved_pairs = 0;
+  /// bodies of the scene that are further from each link than twice as far as it reaches: such
+  /// pairs are proved
+  std::size_t far_bodies = 0;
   /// [us] to decide whether a configuration is free, with a BoxedModel on one thread; skips the
   /// pairs of links that are proved apart, as the written SRDF does
   double query_us = 0, original_query_us = 0;

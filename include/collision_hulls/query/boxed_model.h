@@ -13,6 +13,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -27,26 +28,29 @@ namespace collision_hulls {
 /// Pairs of links to ignore: neighbours at a joint, and those disabled by an SRDF.
 class IgnoredPairs {
  public:
-  /// Starts empty. Pairs may name links below `links`; memory grows with the square of `links`, one
-  /// bit for each two: 12 MB for 10,000.
-  explicit IgnoredPairs(std::size_t links = 0) : links_(links), ignored_(links * links) {}
+  /// Starts empty. Pairs may name links below `links`. Memory grows with `links` times the number
+  /// of links that are the lower one in a pair, one bit for each.
+  explicit IgnoredPairs(std::size_t links = 0) : above_(links) {}
 
   /// Throws kIndexOutOfRange.
   void ignore(std::size_t a, std::size_t b) {
-    if (a >= links_ || b >= links_)
+    const std::size_t links = above_.size();
+    if (a >= links || b >= links)
       throw Error(ErrorCode::kIndexOutOfRange, "cannot ignore the pair of links " +
                                                    std::to_string(a) + " and " + std::to_string(b) +
-                                                   ": there is room for " + std::to_string(links_) +
+                                                   ": there is room for " + std::to_string(links) +
                                                    " links only; make room for more");
-    ignored_[a * links_ + b] = ignored_[b * links_ + a] = true;
+    std::vector<bool>& of_lower = above_[std::min(a, b)];
+    of_lower.resize(links);
+    of_lower[std::max(a, b)] = true;
   }
   bool operator()(std::size_t a, std::size_t b) const {
-    return a < links_ && b < links_ && ignored_[a * links_ + b];
+    const std::size_t low = std::min(a, b), high = std::max(a, b);
+    return low < above_.size() && high < above_[low].size() && above_[low][high];
   }
 
  private:
-  std::size_t links_;
-  std::vector<bool> ignored_;
+  std::vector<std::vector<bool>> above_;  // by the lower link: the higher ones
 };
 
 /// Bodies (hulls or meshes) carried by links. FCL's dynamic trees are made for thousands of moving

@@ -30,7 +30,7 @@ struct Octomap {
 /// overlap; boxes that together form a larger box are merged, along x, y and z in turn, until none
 /// are left to merge. Throws kBadScene for an unknown kind of tree, a resolution that is not a
 /// positive length, nodes below the 16th level, and data that ends early or continues past the last
-/// node, or holds values that are not numbers; kTooLarge for more than 20 million cells or 10,000
+/// node, or holds values that are not numbers; kTooLarge for more than 20 million cells or 100,000
 /// boxes; kCancelled.
 std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map, const RunControl& control = {});
 

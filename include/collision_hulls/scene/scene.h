@@ -116,6 +116,10 @@ class SceneBuilder {
 ///     - {name: floor, plane: [0, 0, 1, 0]}      # a, b, c, d: see planeShape()
 ///     - {name: part, mesh: package://cell/meshes/part.stl, scale: [1, 1, 1]}
 ///     - {name: lid, mesh: lid.stl}              # a path relative to this file's folder
+///     - {name: room, scene: room.world, pose: {xyz: [1, 0, 0]}}     # another file, moved
+///
+/// `scene` adds all bodies of another file of any of these formats, named "room/..."; scenes nest
+/// at most 20 deep, and are at most 1,000 in all.
 ///
 /// A pose may have `quaternion: [x, y, z, w]` instead of rpy. In every format, planes become
 /// planeShape()'s slabs.

@@ -22,7 +22,7 @@
 #include "interruptible.h"
 #include "mesh/polygons.h"
 #include "pipeline/stages.h"
-#include "tools/robot_command.h"
+#include "tools/scene_command.h"
 
 namespace collision_hulls {
 namespace {
@@ -152,36 +152,47 @@ void write(MadeRobot& made, const RobotCommand& command, const RunControl& contr
   throw nothing;
 }
 
-void addOptions(CommandLine& app, RobotCommand& command) {
-  addRobotOptions(app, "", command);
-  addModelOption(app, command);
+/// A program's command line, and what it makes.
+struct Program {
+  explicit Program(const std::string& name) : app("", name), fits(name == "fit_scene") {
+    command.program = name;
+    if (fits) {
+      addSceneOptions(app, scene);
+    } else {
+      addRobotOptions(app, "", command);
+      addModelOption(app, command);
+    }
+  }
+
+  SceneCommand scene;
+  RobotCommand& command = scene.robot;
+  CommandLine app;
+  const bool fits;
+};
+
+/// The options of a program by name: whether they take a value, and whether they may take several.
+std::map<std::string, std::pair<bool, bool>> knownOptions(const std::string& program) {
+  return Program(program).app.takesValue();
 }
 
-/// The options of `decompose` by name: whether they take a value, and whether they may take several.
-std::map<std::string, std::pair<bool, bool>> knownOptions() {
-  RobotCommand command;
-  CommandLine app("", "decompose");
-  addOptions(app, command);
-  return app.takesValue();
-}
-
-/// The text of report.json.
-std::string reportOn(const Words& words, const py::object& look) {
-  RobotCommand command;
-  command.program = "decompose";
-  CommandLine app("", command.program);
-  addOptions(app, command);
-  parse(app, words);
+/// Runs a program; the text of report.json.
+std::string reportOf(const std::string& program, const Words& words, const py::object& look) {
+  Program called(program);
+  RobotCommand& command = called.command;
+  parse(called.app, words);
   command.quiet = true;
+  if (called.fits) interpret(called.scene);
+  const RobotWork decomposing = [&](const Input& input, const std::string& output, const RunControl& run, const StepCallback& step) {
+    return decompose(input, command.options, output, run, step);
+  };
   std::string report;
   const auto work = [&](const RunControl& control) {
     std::optional<Confinement> confinement;
     confine(command, confinement);
-    const RobotWork decomposing = [&](const Input& input, const std::string& output, const RunControl& run, const StepCallback& step) {
-      return decompose(input, command.options, output, run, step);
-    };
-    MadeRobot made = make(command, decomposing, control, [&](const Step& step) { control.report(step.fraction); });
+    MadeRobot made =
+        make(command, called.fits ? fitting(called.scene) : decomposing, control, [&](const Step& step) { control.report(step.fraction); });
     write(made, command, control);
+    writeComparison(called.scene);
     report = toJson(made.result.report);
   };
   runInterruptibly(work, look);
@@ -213,7 +224,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The library's side of the package collision_hulls, which checks arguments and documents them.";
   py::register_exception_translator(collision_hulls::translate);
   module.def("decompose", collision_hulls::decomposeArrays, py::arg("vertices"), py::arg("faces"), py::arg("words"), py::arg("look"));
-  module.def("options", collision_hulls::knownOptions);
+  module.def("options", collision_hulls::knownOptions, py::arg("program"));
   module.def("version", collision_hulls::version);
-  module.def("decompose_robot", collision_hulls::reportOn, py::arg("words"), py::arg("look"));
+  module.def("run", collision_hulls::reportOf, py::arg("program"), py::arg("words"), py::arg("look"));
 }

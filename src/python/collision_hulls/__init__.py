@@ -8,8 +8,9 @@
     print(result.bound)
 
     report = collision_hulls.decompose_robot("arm.urdf", "arm_collision", tolerance="5mm")
+    report = collision_hulls.fit_scene("arm.urdf", "kitchen.scene", "2cm", "arm_in_kitchen")
 
-Lengths are in metres. Both functions give the same result for the same input, on any number of threads. They let other threads of Python run,
+Lengths are in metres. All functions give the same result for the same input, on any number of threads. They let other threads of Python run,
 and Ctrl-C ends them within a second, unless a mesh of a million triangles is just being repaired. Beside this module, collision_hulls.msg and
 collision_hulls.srv are the messages of the ROS package, where that is installed; they need nothing of it.
 """
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 else:  # without numpy, which the messages do not need, type hints are resolved all the same
     Array = ArrayLike = Any
 
-__all__ = ["Error", "Hull", "Result", "decompose", "decompose_robot"]
+__all__ = ["Error", "Hull", "Result", "decompose", "decompose_robot", "fit_scene"]
 
 
 def __getattr__(name: str) -> Any:
@@ -147,7 +148,7 @@ def decompose(
     corners = _faces(faces, len(points))
     options = {"tolerance": tolerance, "method": method, "effort": effort, "max_hulls": max_hulls, "max_vertices": max_vertices,
                "padding": padding, "close_openings": close_openings, "fill": fill, "seed": seed, "jobs": jobs}
-    words = _words(options)
+    words = _words("decompose", options)
     with _at_work():
         fields = _core.decompose(points, corners, words, look)
     fields["hulls"] = [Hull(*hull) for hull in fields["hulls"]]
@@ -187,13 +188,47 @@ def decompose_robot(
 
     Raises Error, and KeyboardInterrupt soon after a Ctrl-C; then the output was written completely or not at all.
     """
+    named = {"output": output, "tolerance": tolerance, "config": config, "package_paths": _several(package_paths), "consumers": _several(consumers)}
+    return _run("decompose", path, {**named, **options}, progress)
+
+
+def fit_scene(
+    path: Path,
+    scene: Path,
+    clearance: Length,
+    output: Optional[Path] = None,
+    *,
+    tolerance: Optional[Length] = None,
+    config: Optional[Path] = None,
+    package_paths: Sequence[Path] = (),
+    consumers: Sequence[str] = (),
+    progress: Optional[Progress] = None,
+    **options: Any,
+) -> dict:
+    """Makes the collision model of a robot that is no finer than a scene needs, writes it, and returns what report.json says. It does what the
+    program fit_scene does.
+
+    path: a .urdf or .xacro file, or a ROS package's name.
+    scene: what stands around the robot, in the frame of its root link: a .scene, .urdf, .sdf, .world, .bt, .ot or .yaml file, or a mesh.
+    clearance: wherever the robot keeps this distance from the scene and from itself, the model does not collide, except in a share of the
+        configurations that report["scene"]["phantom_rate_bound"] bounds.
+    tolerance: that of the finest hulls.
+    options: every other option of the program, with _ for -: samples=100000, srdf="arm.srdf", configurations="path.csv", hulls_only=True.
+        doc/scenes.md lists them.
+    The others, the report, and what is raised: as for decompose_robot(). report["scene"] has what is known of the fit.
+    """
+    named = {"scene": scene, "clearance": clearance, "output": output, "tolerance": tolerance, "config": config,
+             "package_paths": _several(package_paths), "consumers": _several(consumers)}
+    return _run("fit_scene", path, {**named, **options}, progress)
+
+
+def _run(program: str, path: Path, options: Dict[str, Any], progress: Optional[Progress]) -> dict:
     from . import _core
 
     look = _look(progress)
-    named = {"output": output, "tolerance": tolerance, "config": config, "package_paths": _several(package_paths), "consumers": _several(consumers)}
-    words = [*_words({**named, **options}), b"--", _encoded("path", path)]
+    words = [*_words(program, options), b"--", _encoded("path", path)]
     with _at_work():
-        return json.loads(_core.decompose_robot(words, look))
+        return json.loads(_core.run(program, words, look))
 
 
 _callers: List[threading.Thread] = []  # in the library now
@@ -253,15 +288,19 @@ def _keyword(option: str) -> str:
 _NAMED_IN_A_MESSAGE = re.compile(r"(?<!\w)'[^']*'|\n  .*|(?:(?<![^\s(])--|\A(?=[A-Za-z-]+ '))([A-Za-z-]+)")
 
 
+_SEE_HELP = re.compile("; see (decompose|fit_scene) --help")
+
+
 def _error(message: bytes, name: str) -> Error:
     """From what the library says, which calls options as the program does."""
-    text = message.decode("utf-8", "replace").replace("; see decompose --help", "; see help(collision_hulls)")
+    text = message.decode("utf-8", "replace")
+    text = _SEE_HELP.sub("; see help(collision_hulls)", text)
     return Error(_NAMED_IN_A_MESSAGE.sub(lambda found: _keyword(found[1]) if found[1] else found[0], text), name)
 
 
-def _words(options: Dict[str, Any]) -> List[bytes]:
+def _words(program: str, options: Dict[str, Any]) -> List[bytes]:
     """The options as a command line has them."""
-    known = _known_options()
+    known = _known_options(program)
     words = []
     for keyword, value in options.items():
         if keyword not in known:
@@ -277,11 +316,11 @@ def _words(options: Dict[str, Any]) -> List[bytes]:
     return words
 
 
-def _known_options() -> Dict[str, Tuple[bytes, bool, bool]]:
-    """By keyword, the words of the program's options, whether they take a value, and whether they may take several."""
+def _known_options(program: str) -> Dict[str, Tuple[bytes, bool, bool]]:
+    """By keyword, the words of a program's options, whether they take a value, and whether they may take several."""
     from . import _core
 
-    return {_keyword(name): (b"--" + name.encode(), *takes) for name, takes in _core.options().items() if name not in _PROGRAMS_ALONE}
+    return {_keyword(name): (b"--" + name.encode(), *takes) for name, takes in _core.options(program).items() if name not in _PROGRAMS_ALONE}
 
 
 def _unknown(keyword: str, known: List[str]) -> Error:

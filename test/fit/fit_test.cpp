@@ -182,7 +182,8 @@ TEST(FitScene, SetsAsideWhatIsFar) {
   FitProblem problem = overPost();
   for (const double times : {1.9, 2.1, 5.0})
     problem.scene.bodies.push_back(boxBody(std::to_string(times), {0.1, 0.1, 0.1}, {times * reach, 0, 0}));
-  SceneBody ground{"ground", TriangleMesh{{{3, 0, 0}, {4, 0, 0}, {3, 1, 0}, {33, 0, 0}, {34, 0, 0}, {33, 1, 0}}, {{3, 4, 5}, {0, 1, 2}}}};
+  SceneBody ground{"ground", TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {30, 0, 0}, {31, 0, 0}, {30, 1, 0}}, {{3, 4, 5}, {0, 1, 2}}}};
+  ground.pose.translation().x() = -25;
   problem.scene.bodies.push_back(ground);
   const NearProblem near = nearProblem(problem, 0.01, {});
   ASSERT_EQ(near.problem.scene.bodies.size(), 3u);
@@ -191,7 +192,7 @@ TEST(FitScene, SetsAsideWhatIsFar) {
   EXPECT_EQ(near.links, 1u);
   const auto& left = std::get<TriangleMesh>(near.problem.scene.bodies[2].shape);
   EXPECT_EQ(left.triangles.size(), 1u);
-  EXPECT_EQ(left.vertices, (std::vector<Eigen::Vector3d>{{3, 0, 0}, {4, 0, 0}, {3, 1, 0}}));
+  EXPECT_EQ(left.vertices, (std::vector<Eigen::Vector3d>{{30, 0, 0}, {31, 0, 0}, {30, 1, 0}}));
   EXPECT_NEAR(near.far[1], 1.1 * reach - 0.05, 1e-9);
   EXPECT_TRUE(std::isinf(near.far[0])) << "a link without geometry";
   EXPECT_EQ(nearProblem(problem, 2 * reach, {}).far_bodies, 1u) << "a clearance above the reach counts instead";

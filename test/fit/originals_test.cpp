@@ -1,4 +1,4 @@
-// Also tests src/fit/contacts.cpp.
+// Also tests src/fit/assembly.cpp and src/fit/contacts.cpp.
 #include "fit/originals.h"
 
 #include <gtest/gtest.h>

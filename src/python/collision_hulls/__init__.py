@@ -215,7 +215,9 @@ def fit_scene(
     tolerance: that of the finest hulls.
     options: every other option of the program, with _ for -: samples=100000, srdf="arm.srdf", configurations="path.csv", hulls_only=True.
         doc/scenes.md lists them.
-    The others, the report, and what is raised: as for decompose_robot(). report["scene"] has what is known of the fit.
+    output, config, package_paths, consumers, progress: as for decompose_robot().
+
+    The report is as there, and what is raised. report["scene"] has what is known of the fit.
     """
     named = {"scene": scene, "clearance": clearance, "output": output, "tolerance": tolerance, "config": config,
              "package_paths": _several(package_paths), "consumers": _several(consumers)}

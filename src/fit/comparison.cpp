@@ -37,7 +37,10 @@ Truth truthOf(const FittedModel& model, const RunControl& control) {
 class Comparing {
  public:
   Comparing(const FittedModel& model, const RunControl& control)
-      : model_(model), control_(control), truth_(truthOf(model, control)), timed_(withSrdf(model.rules, model.assembly)) {}
+      : model_(model),
+        control_(control),
+        truth_(truthOf(model, control)),
+        timed_(withSrdf(model.rules, model.near.problem, model.assembly)) {}
 
   ModelRow original() const {
     ModelRow row = rowOf("original", truth_.hit);

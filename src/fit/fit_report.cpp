@@ -289,7 +289,7 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   report.far_bodies = model.near.far_bodies;
   report.proved_pairs = model.rules.proved.size() + model.near.links * model.near.far_bodies;
   report.pairs = model.rules.pairs.size() + report.proved_pairs;
-  const PairRules asked = withSrdf(model.rules, assembly);
+  const PairRules asked = withSrdf(model.rules, model.near.problem, assembly);
   std::vector<std::size_t> samples(count);
   std::iota(samples.begin(), samples.end(), first);
   PlannerModel timed(assembly, asked, cuts), timed_original(assembly, asked, model.originals);
@@ -313,7 +313,8 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
 }
 
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits) {
-  const bool all_over = model.near.problem.configurations.empty();  // samples cover the joints' whole ranges, not only given configurations
+  const FitProblem& problem = model.near.problem;
+  const bool all_over = problem.configurations.empty() && !problem.joints_held;  // samples cover the joints' whole ranges
   std::vector<DisabledPair> disabled;
   for (const LeftOutPair& pair : model.rules.left_out) {
     if (!pair.links || (pair.reason == "Always" && !all_over)) continue;
@@ -325,7 +326,7 @@ std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hi
   for (const auto& [parts, pair] : hits.pairs) {
     if (pair.original > 0 || !pair.links) continue;
     const auto bound = proved.find(parts);
-    const bool is_proved = bound != proved.end();
+    const bool is_proved = bound != proved.end() && !problem.joints_held;
     if (!is_proved && !(enough && model.assembly.kinematics().settled(parts.first, parts.second))) continue;
     disabled.push_back({pair.first, pair.second, "Never",
                         is_proved ? "never within " + leastLengthText(bound->second) + ", proved"

@@ -100,7 +100,7 @@ class NearAndFar {
 NearProblem nearProblem(const FitProblem& problem, double clearance, const RunControl& control) {
   NearAndFar judge(problem, clearance, control);
   NearProblem result;
-  result.problem = {problem.robot, problem.elements, problem.kept, {}, problem.disabled, problem.configurations};
+  result.problem = {problem.robot, problem.elements, problem.kept, {}, problem.disabled, problem.configurations, problem.joints_held};
   Scene& scene = result.problem.scene;
   scene.name = problem.scene.name;
   for (const SceneBody& body : problem.scene.bodies) {

@@ -212,7 +212,8 @@ std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance
   return pairs;
 }
 
-PairRules withSrdf(PairRules rules, const Assembly& assembly) {
+PairRules withSrdf(PairRules rules, const FitProblem& problem, const Assembly& assembly) {
+  if (problem.joints_held) return rules;
   for (const ProvedPair& pair : rules.proved)
     if (assembly.isLink(pair.b)) rules.ignored.emplace_back(pair.a, pair.b);
   return rules;

@@ -30,8 +30,8 @@ std::string nesting(const Assembly& assembly, const Originals& originals, std::s
 /// The pairs to check and the pairs proved: primitives may touch where hulls never do.
 std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance);
 
-/// The rules of a planner that uses the written SRDF: it also ignores pairs of links proved apart.
-PairRules withSrdf(PairRules rules, const Assembly& assembly);
+/// The rules of a planner that uses the written SRDF: it also ignores pairs of links proved apart, unless joints are held.
+PairRules withSrdf(PairRules rules, const FitProblem& problem, const Assembly& assembly);
 
 /// Decides about all pairs, from a survey of the first samples and of the robot at rest.
 PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const Originals& originals, double clearance,

@@ -22,6 +22,7 @@
 #include "pipeline/run.h"
 #include "pipeline/scene/fit_notes.h"
 #include "pipeline/scene/fit_refusals.h"
+#include "pipeline/scene/held_joints.h"
 #include "pipeline/stages.h"
 #include "storage/names.h"
 
@@ -32,6 +33,7 @@ namespace {
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
 constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
 
+using HeldJoints = std::map<std::string, double>;
 using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
 
 /// 1 to 3 of a mesh: read, repair, and its hull tree.
@@ -140,9 +142,9 @@ struct FittedUses {
 };
 
 /// The problem of fitting the meshes of all links without a failed mesh, and without those that are kept or removed.
-FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request, const FitMeshes& meshes,
-                     const Run& run) {
-  FittedUses fitted{{robot, {}, {}, request.scene, request.disabled, request.configurations}, {}, {}};
+FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request, const HeldJoints& held,
+                     const FitMeshes& meshes, const Run& run) {
+  FittedUses fitted{{withJointsHeld(robot, held), {}, {}, request.scene, request.disabled, request.configurations, !held.empty()}, {}, {}};
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < robot.links.size(); ++i) link_index[robot.links[i].name] = i;
   std::set<std::string> absent;
@@ -270,10 +272,10 @@ std::set<std::string> cappedLinks(const FittedUses& fitted, const SceneFit& fit,
 
 /// All stages. Fills the report's scene, unless every link has a failed mesh. Returns the pairs of links that the fit disables.
 std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request,
-                                 const FitOptions& options, std::vector<std::string>& notes, Run& run) {
+                                 const HeldJoints& held, const FitOptions& options, std::vector<std::string>& notes, Run& run) {
   FitMeshes meshes = fitMeshes(run);
   failSiblings(meshes, run);
-  const FittedUses fitted = problemOf(robot, decisions, request, meshes, run);
+  const FittedUses fitted = problemOf(robot, decisions, request, held, meshes, run);
   notes.insert(notes.end(), fitted.notes.begin(), fitted.notes.end());
   if (fitted.problem.elements.empty()) return {};
   RunControl fitting;
@@ -284,6 +286,7 @@ std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisi
   certifyAll(fitted, fit, run);
   validateAll(run);
   run.report.scene = std::move(fit.report);
+  run.report.scene->held = held;
   return fit.disabled;
 }
 
@@ -300,6 +303,9 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   checkClearance(request.clearance, robot);
   const Kinematics joints(robot);
   for (const Configuration& configuration : request.configurations) joints.check(configuration);
+  const HeldJoints held = heldJoints(robot, request.joints, request.at);
+  if (!held.empty() && !request.configurations.empty())
+    throw Error(ErrorCode::kBadOption, "joints and at hold joints still, and configurations say where each joint is; omit one of them");
   Stopwatch clock;
   refuseLosingCache(options, output);
   for (const std::string& file : request.files) refuseLosingInput(file, output);
@@ -313,7 +319,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   for (const std::string& note : notesOnFarScene(request.scene, request.clearance, robot)) notes.push_back(note);
   std::vector<DisabledPair> disabled;
   runStages({uses, resolverFor(robot, find_package, control), kTreesEnd, control, step}, result,
-            [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, fit_options, notes, run); });
+            [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, held, fit_options, notes, run); });
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
     result.scene = surfaceOf(request.scene);

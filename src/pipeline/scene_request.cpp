@@ -2,6 +2,8 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/finite_number.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 
@@ -35,6 +37,21 @@ ConfigurationOptions givenConfigurations(double max_step) {
   options.max_step = max_step;
   options.refuse_beyond_limits = true;
   return options;
+}
+
+std::map<std::string, double> jointPositions(const std::vector<std::string>& texts, const std::string& option) {
+  std::map<std::string, double> positions;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.rfind('=');
+    double value = 0;
+    if (equals == std::string::npos || equals == 0 || !parseFinite(text.substr(equals + 1), value))
+      throw Error(ErrorCode::kBadOption,
+                  option + " '" + shown(text) + "' is invalid: use a joint and a value in rad or m, as in elbow=1.5");
+    if (!positions.emplace(text.substr(0, equals), value).second)
+      throw Error(ErrorCode::kBadOption,
+                  option + " '" + shown(text) + "': joint '" + text.substr(0, equals) + "' has a position already; omit one of them");
+  }
+  return positions;
 }
 
 void giveConfigurations(ConfigurationSet given, SceneRequest& request) {

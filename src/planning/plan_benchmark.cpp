@@ -151,7 +151,10 @@ PlanResults runPlanBenchmark(const Input& robot, const std::vector<Scene>& scene
   check(options);
   const Kinematics kinematics(robot.robot);
   const JointSpace space(kinematics, options.joints, options.others);
-  ModelMaker maker(robot, options.models, options.request);
+  ModelRequest request = options.request;
+  request.joints = options.joints;
+  request.at = options.others;
+  ModelMaker maker(robot, options.models, request);
   PlanResults results;
   for (const Scene& scene : scenes) {
     SceneModels made = maker.make(scene);

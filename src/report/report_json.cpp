@@ -157,6 +157,7 @@ json toJson(const FitReport& fit) {
           {"clearance", fit.clearance},
           {"samples", fit.samples},
           {"given", fit.given},
+          {"held", fit.held},
           {"asked", fit.asked},
           {"counterexamples", fit.counterexamples},
           {"original_hits", fit.original_hits},

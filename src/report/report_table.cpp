@@ -189,9 +189,12 @@ std::string sceneLines(const Report& report) {
   for (const FittedLink& link : fit.links) text += "  " + link.link + ": " + link.reason + "\n";
   text += selfTable(fit);
   text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + figureInMillimetres(fit.clearance) + " mm\n";
-  text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
+  text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") +
+          (fit.held.empty() ? "" : " with " + counted(fit.held.size(), "joint") + " held") + ": " +
           verdictText(fit.missed, fit.phantom, "clearance");
-  if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
+  if (!fit.given)
+    text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all " + (fit.held.empty() ? "" : "such ") +
+            "configurations)";
   if (fit.clear_of > 0) text += "; the meshes keep the clearance in " + share(fit.clear, fit.clear_of);
   text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other";
   const auto left_out = std::count_if(fit.left_out.begin(), fit.left_out.end(), [](const LeftOutPair& pair) { return !pair.links; });

@@ -210,7 +210,7 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   const bool has_parameter = node_.searchParam("robot_description", key) && node_.getParam(key, parameter);
   checkBase(base);
   if (!text.empty() && (!base.empty() || text != parameter)) {
-    refusePath(text, "send the text of the URDF, and the path as `base`");
+    refusePath("robot_description", text, {".urdf", ".xacro"}, "send the text of the URDF, and the path as `base`");
     return parseRobotDescription(text, base, control);
   }
   if (parameter.find_first_not_of(" \t\r\n") == std::string::npos) {
@@ -219,7 +219,7 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
                     (has_parameter ? key + " is empty" : node_.resolveName("robot_description") + " is not set to a text") +
                     "; give one or the other");
   }
-  refusePath(parameter, "set the parameter to the text of the URDF, as <param name=\"robot_description\" textfile=\"...\"/> does");
+  refusePath("robot_description", parameter, {".urdf", ".xacro"}, "set the parameter to the text of the URDF, as <param name=\"robot_description\" textfile=\"...\"/> does");
   if (!base.empty()) return parseRobotDescription(parameter, base, control);
   const std::string own = textParameter(private_, "base");
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);

@@ -222,6 +222,8 @@ void checkTexts(const FitSceneRequest& request) {
   checkText("output", request.output);
   checkText("scene", request.scene);
   checkText("configurations", request.configurations);
+  checkText("joints", request.joints);
+  for (const std::string& joint : request.at) checkText("at", joint);
   for (const std::string& link : request.links) checkText("links", link);
 }
 
@@ -233,11 +235,11 @@ void checkTexts(const ValidateRequest& request) {
   for (const std::string& link : request.only) checkText("only", link);
 }
 
-void refusePath(const std::string& robot_description, const std::string& remedy) {
-  const std::string line = trimmed(robot_description, " \t\r\n"), extension = lowerExtension(line);
-  const bool is_path = !line.empty() && (line.front() == '/' || extension == ".urdf" || extension == ".xacro");
-  if (is_path && line.find('\n') == std::string::npos)
-    throw Error(ErrorCode::kBadOption, "robot_description is the path '" + shown(line) + "': " + remedy);
+void refusePath(const std::string& field, const std::string& text, const std::vector<std::string>& extensions, const std::string& remedy) {
+  const std::string line = trimmed(text, " \t\r\n"), extension = lowerExtension(line);
+  const bool ends_so = std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+  if (!line.empty() && (line.front() == '/' || ends_so) && line.find('\n') == std::string::npos)
+    throw Error(ErrorCode::kBadOption, field + " is the path '" + shown(line) + "': " + remedy);
 }
 
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {
@@ -282,6 +284,7 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
   FitOptions fit;
   fit.clearance = request.clearance;
   check(fit);  // before anything that takes long
+  refusePath("srdf", request.srdf, {".srdf", ".xacro"}, "send the text of the file");
   const auto file = [&](const std::string& uri) { return uri.empty() ? "" : resolveUri(uri, input.robot.path, input.find_package); };
   const bool live = isLive(request.scene), joint_states = areJointStates(request.configurations);
   SceneSources sources;
@@ -300,6 +303,8 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
         readJointStates(request.configurations, file, Kinematics(input.robot), givenConfigurations(request.max_step), control), scene);
   scene.clearance = request.clearance;
   scene.primitives = !request.hulls_only;
+  scene.joints = request.joints;
+  scene.at = jointPositions(request.at, "at");
   if (request.samples > 0) scene.samples = static_cast<std::size_t>(request.samples);
   return scene;
 }

@@ -48,9 +48,9 @@ void checkTexts(const FitSceneRequest& request);
 void checkTexts(const BuildRequest& request);
 void checkTexts(const ValidateRequest& request);
 
-/// Throws kBadOption for a description that is the path of one, which as XML would be refused without a hint at the mistake. `remedy`: what
-/// to do instead.
-void refusePath(const std::string& robot_description, const std::string& remedy);
+/// Throws kBadOption for a field with a text that is the path of a file, with one of these extensions or from the root, which as XML would
+/// be refused without a hint at the mistake. `remedy`: what to do instead.
+void refusePath(const std::string& field, const std::string& text, const std::vector<std::string>& extensions, const std::string& remedy);
 
 /// `options` with the request's own in their place. Throws kBadOption, also for a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);

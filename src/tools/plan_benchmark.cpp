@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "base/finite_number.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
@@ -67,14 +66,6 @@ void addOptions(CommandLine& app, Command& command) {
   addPackagePath(app, command.package_path);
 }
 
-/// JOINT=VALUE
-std::pair<std::string, double> placeOf(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  double value = 0;
-  if (equals != std::string::npos && parseFinite(text.substr(equals + 1), value)) return {text.substr(0, equals), value};
-  throw Error(ErrorCode::kBadOption, "--at '" + text + "' is invalid: use a joint and a value in rad or m, as in elbow=1.5");
-}
-
 void interpret(Command& command) {
   PlanOptions& options = command.options;
   options.queries = static_cast<std::size_t>(command.queries);
@@ -87,7 +78,7 @@ void interpret(Command& command) {
   if (!command.checkers.empty()) options.checkers = parsedList<CheckerKind>(command.checkers, checker);
   if (!command.clearance.empty()) options.request.clearance = parseMetres(command.clearance, "--clearance");
   if (!command.tolerance.empty()) options.request.options.tolerance = parseLength(command.tolerance);
-  for (const std::string& text : command.at) options.others.insert(placeOf(text));
+  options.others = jointPositions(command.at, "--at");
   check(options);
 }
 

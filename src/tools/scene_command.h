@@ -17,7 +17,8 @@ namespace collision_hulls {
 /// The command line of such a program.
 struct SceneCommand {
   RobotCommand robot;
-  std::string scene, clearance, configurations, srdf, compare;
+  std::string scene, clearance, configurations, joints, srdf, compare;
+  std::vector<std::string> at;
   double clearance_metres = 0;  // once it is known
   int samples = 10000;
   double max_step = 0;
@@ -56,6 +57,9 @@ inline void addSceneOptions(CommandLine& app, SceneCommand& command) {
   addFile("--configurations", command.configurations, "Fit to these configurations only: .csv, or .yaml of joint states or a trajectory");
   add("--max-step", command.max_step, "STEP",
       "Interpolate between the given configurations so that no joint moves more than STEP [rad or m]");
+  add("--joints", command.joints, "REGEX", "Only these joints move, the others stay at rest: a regular expression that matches whole names")
+      ->check(notEmpty("a regular expression"));
+  add("--at", command.at, "JOINT=VALUE", "A joint that stays at this position [rad or m]; repeatable");
   addFile("--srdf", command.srdf, "SRDF whose disabled pairs of links are not checked");
   app.add_flag("--hulls-only", command.hulls_only, "Use no spheres, boxes or cylinders in place of hulls")->group("Scene");
   addFile("--compare", command.compare, "Also measure single hulls and uniform tolerances, and write the comparison to this CSV");
@@ -78,6 +82,7 @@ inline void interpret(SceneCommand& command) {
   if (command.samples <= 0)
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
   command.clearance_metres = parseMetres(command.clearance, "--clearance");
+  jointPositions(command.at, "--at");
   check(FitOptions{command.clearance_metres, static_cast<std::size_t>(command.samples)});
   if (command.compare == "-")
     throw Error(ErrorCode::kBadOption, "--compare '-': the comparison cannot go to standard output, which has the table; give a file");
@@ -107,6 +112,8 @@ inline SceneRequest requestOf(const SceneCommand& command, const Input& input, c
   request.samples = static_cast<std::size_t>(command.samples);
   request.compare = !command.compare.empty();
   request.primitives = !command.hulls_only;
+  request.joints = command.joints;
+  request.at = jointPositions(command.at, "--at");
   return request;
 }
 

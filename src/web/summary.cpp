@@ -91,9 +91,12 @@ std::string sceneSentence(const Report& report) {
   if (!report.scene) return "";
   const FitReport& fit = *report.scene;
   std::string text = "Fitted to the scene " + fit.scene + " with a clearance of " + figure(1000 * fit.clearance) + " mm: in " +
-                     many(fit.samples, fit.given ? "given configuration" : "random configuration") + ", " +
+                     many(fit.samples, fit.given ? "given configuration" : "random configuration") +
+                     (fit.held.empty() ? "" : " with " + many(fit.held.size(), "joint") + " held") + ", " +
                      verdictText(fit.missed, fit.phantom, "clearance", many);
-  if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
+  if (!fit.given)
+    text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all " + (fit.held.empty() ? "" : "such ") +
+            "configurations)";
   return text + ".";
 }
 

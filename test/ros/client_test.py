@@ -92,6 +92,8 @@ class ClientTest(unittest.TestCase):
                            (["--srdf", "nosuch.srdf"], "SRDF 'nosuch.srdf' is no file"),
                            (["--srdf", "package://a/b.srdf"], "SRDF 'package://a/b.srdf' is no file"),
                            (["--configurations", "nosuch.csv"], "configurations 'nosuch.csv' is no file"),
+                           (["--joints", "wrist"], "joints 'wrist' matches no joint"),
+                           (["--at", "elbow=1", "--at", "knee"], "at 'knee' is invalid"),
                            (["--max-step", "0.1"], "none are given")):
             status, out, err = self.run_client(*fit, *more)
             self.assertEqual((2, ""), (status, out), more)

@@ -55,6 +55,14 @@ class FitSceneTest(unittest.TestCase):
     def test_no_clearance(self):
         self.assert_refused("clearance", clearance=0)
 
+    def test_a_path_in_place_of_the_srdf(self):
+        self.assert_refused("srdf is the path '/tmp/small.srdf': send the text of the file", srdf="/tmp/small.srdf")
+
+    def test_joints_that_do_not_move(self):
+        self.assert_refused("joints 'wrist' matches no joint with room between its limits", joints="wrist")
+        self.assert_refused("at 'elbow' is invalid", at=["elbow"])
+        self.assert_refused("joint 'elbow' cannot be set", at=["elbow=1"])
+
     def test_configuration(self):
         self.assert_refused("method 'acd' of link 'arm'", config="links: {arm: {method: acd}}")
         response = self.fit(config="links: {arm: keep}")

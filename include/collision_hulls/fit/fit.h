@@ -22,6 +22,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,6 +69,9 @@ struct FitProblem {
   std::vector<DisabledPair> disabled;  ///< pairs of links that are not checked
   /// to fit to, of finite values; empty: samples from the joints' whole ranges
   std::vector<Configuration> configurations;
+  /// Some joints have no room between their limits here, but do where the model will be used: what
+  /// holds of the others' motions alone is not said of pairs of links in general.
+  bool joints_held = false;
 };
 
 struct FitOptions {
@@ -142,11 +146,12 @@ struct FitReport {
   double clearance = 0;  ///< [m]
   /// for verification; not used for fitting, unless the configurations were given
   std::size_t samples = 0;
-  bool given = false;               ///< the configurations were given
-  std::size_t asked = 0;            ///< samples evaluated while fitting
-  std::size_t counterexamples = 0;  ///< found and cured
-  std::size_t original_hits = 0;    ///< samples in which the original collides
-  std::size_t model_hits = 0;       ///< samples in which the model collides
+  bool given = false;                  ///< the configurations were given
+  std::map<std::string, double> held;  ///< [rad or m] joints that stayed where they are, by name
+  std::size_t asked = 0;               ///< samples evaluated while fitting
+  std::size_t counterexamples = 0;     ///< found and cured
+  std::size_t original_hits = 0;       ///< samples in which the original collides
+  std::size_t model_hits = 0;          ///< samples in which the model collides
   /// samples in which the original collides and the model does not: must be 0
   std::size_t missed = 0;
   /// samples in which the model collides though the original keeps its clearance
@@ -192,8 +197,8 @@ struct SceneFit {
   FitReport report;
 };
 
-/// Deterministic except for the times, whatever the number of threads. Throws kBadOption,
-/// kCancelled.
+/// Leaves FitReport::held empty. Deterministic except for the times, whatever the number of
+/// threads. Throws kBadOption, kCancelled.
 SceneFit fitScene(const FitProblem& problem, const FitOptions& options,
                   const RunControl& control = {});
 

@@ -2,6 +2,7 @@
 // them from the cache, finds the cut that the scene needs, and certifies it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,15 @@ namespace collision_hulls {
 /// What to fit a robot to.
 struct SceneRequest {
   Scene scene;
-  double clearance = 0.01;                    ///< [m]
-  std::size_t samples = 10000;                ///< per verification batch
-  bool compare = false, primitives = true;    ///< see FitOptions
-  std::vector<DisabledPair> disabled;         ///< pairs of links that are not checked; a note names
-                                              ///< one whose links the robot does not have
+  double clearance = 0.01;                  ///< [m]
+  std::size_t samples = 10000;              ///< per verification batch
+  bool compare = false, primitives = true;  ///< see FitOptions
+  std::vector<DisabledPair> disabled;       ///< pairs of links that are not checked; a note names
+                                            ///< one whose links the robot does not have
+  /// The joints that move: a regular expression that matches whole names; empty: all. The others
+  /// stay at rest.
+  std::string joints;
+  std::map<std::string, double> at;           ///< [rad or m] where these joints stay, by name
   std::vector<std::string> notes;             ///< about what was read, for the report
   std::vector<Configuration> configurations;  ///< instead of samples from the joints' whole ranges
   std::vector<std::string> files;             ///< that it was read from: no output may replace them
@@ -48,6 +53,11 @@ SceneRequest readSceneRequest(const Input& input, const SceneSources& sources,
 /// nothing is proved there.
 ConfigurationOptions givenConfigurations(double max_step);
 
+/// From texts such as "elbow=1.5" [rad or m], for SceneRequest::at. `option`: what they are called.
+/// Throws kBadOption for another form, and a joint that has two positions.
+std::map<std::string, double> jointPositions(const std::vector<std::string>& texts,
+                                             const std::string& option);
+
 /// Adds configurations to a request, with the notes about them.
 void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 
@@ -55,8 +65,10 @@ void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 /// tolerance; report.scene says why. A tree that the cache holds for the same tolerance needs no
 /// decomposition. Links that `options.links` does not select, and links with a mesh that failed,
 /// are absent from the fit. `method` must be certified. extra_files holds
-/// `config/<robot>_disabled.srdf`. Throws kBadOption, also for configurations of another size or
-/// with values that are not finite; kUnwritableOutput as decomposeRobot(); kCancelled.
+/// `config/<robot>_disabled.srdf`; where joints are held, that says nothing of pairs that always or
+/// never meet. Throws kBadOption, also for configurations of another size or with values that are
+/// not finite, for joints that the robot does not have or that leave nothing to move, and for both;
+/// kUnwritableOutput as decomposeRobot(); kCancelled.
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package,
                             const SceneRequest& request, const Options& options,
                             const std::string& output, const RunControl& control = {},

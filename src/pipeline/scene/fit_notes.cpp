@@ -91,7 +91,7 @@ std::string noteOnFewClear(const FitReport& fit) {
          (fit.clear == 0 ? "none" : "only " + std::to_string(fit.clear)) + " of " + counted(fit.clear_of, "configuration") + ", so " +
          (fit.clear == 0 ? "the fit had nothing to learn from and its check for false collisions says nothing"
                          : "the fit learned from few, and its check for false collisions says little") +
-         "; use a smaller clearance, or give the configurations that matter";
+         "; use a smaller clearance, let only those joints move that are planned (joints), or give the configurations that matter";
 }
 
 /// [m] From the root's origin to a hull's bounding box, or to a mesh, in which a robot may stand.

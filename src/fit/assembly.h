@@ -63,6 +63,8 @@ class Assembly {
   std::size_t hulls(const Cuts& cuts) const;  ///< of the elements
 
   const Kinematics& kinematics() const { return kinematics_; }
+  /// All joints at rest, held or not.
+  Configuration rest() const { return problem_.rest_unheld.empty() ? kinematics_.rest() : problem_.rest_unheld; }
   /// A given configuration, or a sample within the joint limits: from the low-discrepancy sequence, and from kIndependentFrom on
   /// independent.
   Configuration sample(std::size_t index) const;

@@ -144,7 +144,7 @@ std::string described(const FittedModel& model, const Contact& contact) {
 /// Where the original touches the scene at rest or, if it does not, which body lies inside a link; empty: nowhere.
 std::string contactAtRest(const FittedModel& model) {
   const Assembly& assembly = model.assembly;
-  const Places places = assembly.places(assembly.kinematics().rest());
+  const Places places = assembly.places(assembly.rest());
   std::string inside;
   for (std::size_t link = 0; link < assembly.links(); ++link) {
     for (std::size_t body = assembly.links(); body < assembly.parts(); ++body) {
@@ -314,7 +314,8 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
 
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits) {
   const FitProblem& problem = model.near.problem;
-  const bool all_over = problem.configurations.empty() && !problem.joints_held;  // samples cover the joints' whole ranges
+  const bool held = !problem.rest_unheld.empty();
+  const bool all_over = problem.configurations.empty() && !held;  // samples cover the joints' whole ranges
   std::vector<DisabledPair> disabled;
   for (const LeftOutPair& pair : model.rules.left_out) {
     if (!pair.links || (pair.reason == "Always" && !all_over)) continue;
@@ -326,7 +327,7 @@ std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hi
   for (const auto& [parts, pair] : hits.pairs) {
     if (pair.original > 0 || !pair.links) continue;
     const auto bound = proved.find(parts);
-    const bool is_proved = bound != proved.end() && !problem.joints_held;
+    const bool is_proved = bound != proved.end() && !held;
     if (!is_proved && !(enough && model.assembly.kinematics().settled(parts.first, parts.second))) continue;
     disabled.push_back({pair.first, pair.second, "Never",
                         is_proved ? "never within " + leastLengthText(bound->second) + ", proved"

@@ -1,5 +1,5 @@
-// A body is judged by boxes about it, a mesh triangle by triangle. Twice a link's reach is far enough for whatever replaces its meshes:
-// hulls stay within its ball, and primitives are hardly larger than hulls.
+// A body is judged by the box around it, a mesh triangle by triangle. Twice a link's reach is far enough for what may replace its meshes:
+// hulls lie in its ball, with fewer vertices in a box around it, and primitives are at most 1.25 times as large as the hulls in them.
 #include "fit/near_problem.h"
 
 #include <Eigen/Geometry>
@@ -31,12 +31,20 @@ std::vector<double> radii(const FitProblem& problem) {
 std::vector<JointVariable> variablesOf(const Kinematics& kinematics, const std::vector<Configuration>& configurations) {
   std::vector<JointVariable> variables = kinematics.variables();
   for (const Configuration& configuration : configurations) {
+    kinematics.check(configuration);
     for (std::size_t v = 0; v < variables.size(); ++v) {
       variables[v].lower = std::min(variables[v].lower, configuration[v]);
       variables[v].upper = std::max(variables[v].upper, configuration[v]);
     }
   }
   return variables;
+}
+
+/// Without an end where the joints' ranges do not tell how far a link gets.
+ReachBall ballOf(const Kinematics& kinematics, const std::vector<JointVariable>& variables, std::size_t link, double radius) {
+  ReachBall ball = reachBall(kinematics.chain(link), variables, radius);
+  if (!kinematics.settled(link)) ball.radius = kInfinity;
+  return ball;
 }
 
 class NearAndFar {
@@ -47,7 +55,7 @@ class NearAndFar {
     const std::vector<JointVariable> variables = variablesOf(kinematics, problem.configurations);
     const std::vector<double> radius = radii(problem);
     for (std::size_t link = 0; link < radius.size(); ++link)
-      if (radius[link] >= 0) balls_.emplace_back(link, reachBall(kinematics.chain(link), variables, radius[link]));
+      if (radius[link] >= 0) balls_.emplace_back(link, ballOf(kinematics, variables, link, radius[link]));
   }
 
   std::size_t links() const { return balls_.size(); }
@@ -100,7 +108,7 @@ class NearAndFar {
 NearProblem nearProblem(const FitProblem& problem, double clearance, const RunControl& control) {
   NearAndFar judge(problem, clearance, control);
   NearProblem result;
-  result.problem = {problem.robot, problem.elements, problem.kept, {}, problem.disabled, problem.configurations, problem.joints_held};
+  result.problem = {problem.robot, problem.elements, problem.kept, {}, problem.disabled, problem.configurations, problem.rest_unheld};
   Scene& scene = result.problem.scene;
   scene.name = problem.scene.name;
   for (const SceneBody& body : problem.scene.bodies) {

@@ -16,7 +16,9 @@ struct NearProblem {
   std::size_t links = 0;       ///< that have geometry: each would be in a pair with each body
 };
 
-/// What lies further from a link's ReachBall than the ball is large, and than the clearance [m], is far from it. Throws kCancelled.
+/// Far from a link is what lies outside of its ReachBall by more than the ball's radius and more than the clearance [m]; nothing is, where
+/// the joints' ranges do not tell where the link gets (Kinematics::settled()). Throws kBadOption for a configuration of the wrong size,
+/// kCancelled.
 NearProblem nearProblem(const FitProblem& problem, double clearance, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <map>
 #include <set>
 #include <utility>
@@ -58,7 +59,7 @@ std::vector<Sighting> allPairs(const Assembly& assembly) {
 /// Poses at rest, then in the samples.
 std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly) {
   const std::size_t given = problem.configurations.size(), count = given ? std::min(given, kSurveyed) : kSurveyed;
-  std::vector<Places> places{assembly.places(assembly.kinematics().rest())};
+  std::vector<Places> places{assembly.places(assembly.rest())};
   for (std::size_t i = 0; i < count; ++i) places.push_back(assembly.places(given ? i * given / count : i));
   return places;
 }
@@ -75,15 +76,12 @@ std::vector<char> everNear(const std::vector<Places>& places, const Assembly& as
   std::vector<PartPair> pairs;
   for (const Sighting& pair : sightings) pairs.push_back({pair.a, pair.b, clearance});
   const CheckedPairs checked(assembly, std::move(pairs));
-  std::vector<std::vector<std::size_t>> near(places.size());
+  std::vector<std::atomic<char>> ever(sightings.size());
   forEach(places.size(), [&](std::size_t i) {
     control.check();
-    near[i] = checked.near(originals.boxesOfLinks(places[i]), clearance);
+    for (const std::size_t index : checked.near(originals.boxesOfLinks(places[i]), clearance)) ever[index] = 1;
   });
-  std::vector<char> ever(sightings.size());
-  for (const std::vector<std::size_t>& indices : near)
-    for (const std::size_t index : indices) ever[index] = 1;
-  return ever;
+  return {ever.begin(), ever.end()};
 }
 
 void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
@@ -102,16 +100,19 @@ void survey(const std::vector<Places>& places, const Originals& originals, doubl
   pair.usual = median(std::move(apart));
 }
 
-/// Why a pair is left out, judging by the original; an empty reason: it is not. `given`: the configurations were given.
-LeftOutPair verdict(const Sighting& pair, bool given) {
+/// Why a pair is left out, judging by the original; an empty reason: it is not.
+LeftOutPair verdict(const Sighting& pair, const FitProblem& problem) {
+  const bool given = !problem.configurations.empty(), held = !problem.rest_unheld.empty();
   const auto said = [&](const char* reason, const std::string& known) {
     return LeftOutPair{"", "", reason, known, pair.links, pair.at_rest <= 0};
   };
   if (!pair.moves && pair.at_rest <= 0) return said("Fixed", "always in contact");
+  const bool by_default = pair.links && pair.at_rest <= 0;
+  if (by_default && held) return said("Default", "in contact at rest");  // which holds of all configurations, unlike "Always" then
   if (pair.touching > 0 && nearlyAll(pair.touching, pair.samples))
     return said("Always", "in contact in " + std::to_string(pair.touching) + " of " + std::to_string(pair.samples) +
                               (given ? " given configurations" : " samples"));
-  if (pair.links && pair.at_rest <= 0) return said("Default", "in contact at rest");
+  if (by_default) return said("Default", "in contact at rest");
   return {};
 }
 
@@ -213,7 +214,7 @@ std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance
 }
 
 PairRules withSrdf(PairRules rules, const FitProblem& problem, const Assembly& assembly) {
-  if (problem.joints_held) return rules;
+  if (!problem.rest_unheld.empty()) return rules;
   for (const ProvedPair& pair : rules.proved)
     if (assembly.isLink(pair.b)) rules.ignored.emplace_back(pair.a, pair.b);
   return rules;
@@ -249,7 +250,7 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
   std::vector<char> may_be_proved;
   std::vector<std::string> nested, close;
   for (const Sighting& pair : pairs) {
-    LeftOutPair why = verdict(pair, !problem.configurations.empty());
+    LeftOutPair why = verdict(pair, problem);
     if (!why.reason.empty()) {
       const bool apart = !pair.links && !originals.touch(pair.a, pair.b, places.front());
       const std::string at_rest = apart ? nesting(assembly, originals, pair.a, pair.b, places.front()) : "";

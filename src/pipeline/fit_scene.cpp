@@ -144,7 +144,15 @@ struct FittedUses {
 /// The problem of fitting the meshes of all links without a failed mesh, and without those that are kept or removed.
 FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request, const HeldJoints& held,
                      const FitMeshes& meshes, const Run& run) {
-  FittedUses fitted{{withJointsHeld(robot, held), {}, {}, request.scene, request.disabled, request.configurations, !held.empty()}, {}, {}};
+  FittedUses fitted{{withJointsHeld(robot, held),
+                     {},
+                     {},
+                     request.scene,
+                     request.disabled,
+                     request.configurations,
+                     held.empty() ? Configuration() : Kinematics(robot).rest()},
+                    {},
+                    {}};
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < robot.links.size(); ++i) link_index[robot.links[i].name] = i;
   std::set<std::string> absent;
@@ -303,9 +311,12 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   checkClearance(request.clearance, robot);
   const Kinematics joints(robot);
   for (const Configuration& configuration : request.configurations) joints.check(configuration);
-  const HeldJoints held = heldJoints(robot, request.joints, request.at);
+  const HeldJoints held = heldJoints(joints, request.joints, request.at);
   if (!held.empty() && !request.configurations.empty())
-    throw Error(ErrorCode::kBadOption, "joints and at hold joints still, and configurations say where each joint is; omit one of them");
+    throw Error(ErrorCode::kBadOption, "configurations say where each joint is, so joint '" + held.begin()->first +
+                                           "' cannot be held; omit " + (request.joints.empty() ? "" : "joints '" + request.joints + "'") +
+                                           (request.joints.empty() || request.at.empty() ? "" : " and ") +
+                                           (request.at.empty() ? "" : "at") + ", or the configurations");
   Stopwatch clock;
   refuseLosingCache(options, output);
   for (const std::string& file : request.files) refuseLosingInput(file, output);

@@ -151,10 +151,7 @@ PlanResults runPlanBenchmark(const Input& robot, const std::vector<Scene>& scene
   check(options);
   const Kinematics kinematics(robot.robot);
   const JointSpace space(kinematics, options.joints, options.others);
-  ModelRequest request = options.request;
-  request.joints = options.joints;
-  request.at = options.others;
-  ModelMaker maker(robot, options.models, request);
+  ModelMaker maker(robot, options.models, options.request);
   PlanResults results;
   for (const Scene& scene : scenes) {
     SceneModels made = maker.make(scene);

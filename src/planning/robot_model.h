@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,9 +33,7 @@ void checkModels(const std::vector<std::string>& names);  ///< throws kBadOption
 struct ModelRequest {
   double clearance = 0.01;      ///< [m] of the fitted model
   std::size_t samples = 10000;  ///< of the fit
-  std::string joints;           ///< that move in the fit, and where others stay: see SceneRequest
-  std::map<std::string, double> at;
-  Options options;  ///< of all models: tolerance, cache, jobs
+  Options options;              ///< of all models: tolerance, cache, jobs
 };
 
 /// The models of a robot that do not depend on the scene, and the names of links for the others.

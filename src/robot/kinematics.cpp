@@ -221,7 +221,8 @@ Configuration Kinematics::configuration(const std::map<std::string, double>& val
       throw Error(ErrorCode::kBadOption,
                   "joint '" + name + "' cannot be set: the robot has no such joint, or it is fixed or mimics another");
     }
-    if (!withinLimits(*found, value)) throw Error(ErrorCode::kBadOption, beyondLimits(*found, value));
+    if (found->continuous ? !std::isfinite(value) : !withinLimits(*found, value))
+      throw Error(ErrorCode::kBadOption, beyondLimits(*found, value));
     result[static_cast<std::size_t>(found - variables_.begin())] = value;
   }
   return result;

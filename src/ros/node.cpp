@@ -219,7 +219,8 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
                     (has_parameter ? key + " is empty" : node_.resolveName("robot_description") + " is not set to a text") +
                     "; give one or the other");
   }
-  refusePath("robot_description", parameter, {".urdf", ".xacro"}, "set the parameter to the text of the URDF, as <param name=\"robot_description\" textfile=\"...\"/> does");
+  refusePath("robot_description", parameter, {".urdf", ".xacro"},
+             "set the parameter to the text of the URDF, as <param name=\"robot_description\" textfile=\"...\"/> does");
   if (!base.empty()) return parseRobotDescription(parameter, base, control);
   const std::string own = textParameter(private_, "base");
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);

@@ -284,6 +284,7 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
   FitOptions fit;
   fit.clearance = request.clearance;
   check(fit);  // before anything that takes long
+  const std::map<std::string, double> at = jointPositions(request.at, "at");
   refusePath("srdf", request.srdf, {".srdf", ".xacro"}, "send the text of the file");
   const auto file = [&](const std::string& uri) { return uri.empty() ? "" : resolveUri(uri, input.robot.path, input.find_package); };
   const bool live = isLive(request.scene), joint_states = areJointStates(request.configurations);
@@ -304,7 +305,7 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
   scene.clearance = request.clearance;
   scene.primitives = !request.hulls_only;
   scene.joints = request.joints;
-  scene.at = jointPositions(request.at, "at");
+  scene.at = at;
   if (request.samples > 0) scene.samples = static_cast<std::size_t>(request.samples);
   return scene;
 }

@@ -1,6 +1,8 @@
 // Reads the YAML format that readScene() documents. Unknown and duplicate keys are errors, so that a typing error is never ignored.
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "base/in_context.h"
 #include "base/nearest_name.h"
@@ -17,8 +19,7 @@ namespace collision_hulls {
 namespace {
 
 const std::set<std::string> kShapes{"box", "sphere", "cylinder", "cone", "plane", "mesh", "scene"};
-constexpr int kDeepestScene = 20;
-constexpr std::size_t kMostScenes = 1000;
+constexpr std::size_t kDeepestScene = 20, kMostScenes = 1000;
 
 void expectKeys(const YamlValue& map, const std::set<std::string>& known) {
   std::set<std::string> seen;
@@ -74,12 +75,17 @@ std::string shapeOf(const YamlValue& body) {
   return found.front();
 }
 
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return std::filesystem::equivalent(a, b, none);
+}
+
 /// A file, and where its bodies go.
 struct PlacedFile {
   std::string path;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  std::string prefix = {};  // of the bodies' names
-  int depth = 0;
+  std::string prefix = {};               // of the bodies' names
+  std::vector<std::string> within = {};  // the files that it is a part of
 };
 
 class YamlSceneReader {
@@ -117,6 +123,7 @@ class YamlSceneReader {
     body.pose = file.pose;
     if (value.has("pose")) body.pose = file.pose * pose(value["pose"]);
     const std::string shape = shapeOf(value);
+    if (value.has("scale") && shape == "scene") value.fail("a scene has no scale; remove it, and scale the meshes in that file");
     if (value.has("scale") && shape != "mesh") value.fail("only a mesh has a scale; give the " + shape + " its size");
     if (shape == "scene") {
       addScene(value, file, body);
@@ -128,10 +135,13 @@ class YamlSceneReader {
 
   /// All bodies of another file, as "name/their name". `whole` has that name and their pose.
   void addScene(const YamlValue& value, const PlacedFile& file, const SceneBody& whole) {
-    if (file.depth == kDeepestScene) value.fail("scenes nest deeper than 20; does one include itself?");
+    if (file.within.size() == kDeepestScene) value.fail("scenes nest deeper than 20; join some");
     if (++scenes_ > kMostScenes) value.fail("more than 1,000 scenes within scenes; join some");
     inContext(value.place(), [&] {
-      const PlacedFile inner{resolveUri(value["scene"].text(), file.path, how_.find_package), whole.pose, whole.name + "/", file.depth + 1};
+      PlacedFile inner{resolveUri(value["scene"].text(), file.path, how_.find_package), whole.pose, whole.name + "/", file.within};
+      inner.within.push_back(file.path);
+      if (std::any_of(inner.within.begin(), inner.within.end(), [&](const std::string& outer) { return isSameFile(outer, inner.path); }))
+        throw Error(ErrorCode::kBadScene, "'" + inner.path + "' contains itself that way; remove this");
       const std::string extension = lowerExtension(inner.path);
       scene_.files.push_back(inner.path);
       if (extension == ".yaml" || extension == ".yml")

@@ -19,7 +19,8 @@ struct SceneCommand {
   RobotCommand robot;
   std::string scene, clearance, configurations, joints, srdf, compare;
   std::vector<std::string> at;
-  double clearance_metres = 0;  // once it is known
+  double clearance_metres = 0;              // once it is known
+  std::map<std::string, double> positions;  // the same, of `at`
   int samples = 10000;
   double max_step = 0;
   bool hulls_only = false;
@@ -82,7 +83,7 @@ inline void interpret(SceneCommand& command) {
   if (command.samples <= 0)
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
   command.clearance_metres = parseMetres(command.clearance, "--clearance");
-  jointPositions(command.at, "--at");
+  command.positions = jointPositions(command.at, "--at");
   check(FitOptions{command.clearance_metres, static_cast<std::size_t>(command.samples)});
   if (command.compare == "-")
     throw Error(ErrorCode::kBadOption, "--compare '-': the comparison cannot go to standard output, which has the table; give a file");
@@ -113,7 +114,7 @@ inline SceneRequest requestOf(const SceneCommand& command, const Input& input, c
   request.compare = !command.compare.empty();
   request.primitives = !command.hulls_only;
   request.joints = command.joints;
-  request.at = jointPositions(command.at, "--at");
+  request.at = command.positions;
   return request;
 }
 

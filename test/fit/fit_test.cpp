@@ -212,6 +212,31 @@ TEST(FitScene, GivenConfigurationsBeyondALimitCountForWhatIsFar) {
   EXPECT_EQ(nearProblem(problem, 0.01, {}).far_bodies, 0u);
 }
 
+TEST(FitScene, NothingIsFarFromALinkWhosePlaceDependsOnEarlierTurns) {
+  FitProblem problem;
+  const auto arm = [](const std::string& mimic) {
+    return parseRobotDescription(
+        "<robot name='r'><link name='a'/><link name='b'/><link name='c'/>"
+        "<joint name='turn' type='continuous'><parent link='a'/><child link='b'/></joint>"
+        "<joint name='slow' type='continuous'><parent link='b'/><child link='c'/>" +
+        mimic + "</joint></robot>");
+  };
+  problem.elements.push_back({"", 2, Eigen::Isometry3d::Identity(), fitMesh(test_shapes::box(0.1, 0.1, 0.1))});
+  problem.scene.bodies.push_back(boxBody("far", {1, 1, 1}, {20, 0, 0}));
+  problem.robot = arm("");
+  EXPECT_EQ(nearProblem(problem, 0.01, {}).far_bodies, 1u);
+  problem.robot = arm("<mimic joint='turn' multiplier='0.5'/>");
+  EXPECT_EQ(nearProblem(problem, 0.01, {}).far_bodies, 0u);
+}
+
+TEST(FitScene, RefusesAConfigurationOfAnotherSize) {
+  FitProblem problem = overPost();
+  problem.configurations = {{0}, {}};
+  EXPECT_EQ(errorOf(problem, fitOptions()), ErrorCode::kBadOption);
+  problem.configurations = {{0, 0}};
+  EXPECT_EQ(errorOf(problem, fitOptions()), ErrorCode::kBadOption);
+}
+
 TEST(FitScene, SaysHowFarEverythingStaysIfAllIsFar) {
   FitProblem problem = overPost();
   problem.scene.bodies[0].pose.translation().x() += 30;

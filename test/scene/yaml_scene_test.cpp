@@ -83,10 +83,10 @@ TEST(YamlScene, OtherFilesThatFailAreNamed) {
   expectBad(ErrorCode::kBadScene, {"a.yaml", "line 2, body 'room'", "bad.yaml", "'ball'", "-1"}, "- {name: room, scene: bad.yaml}");
   expectBad(ErrorCode::kFileNotFound, {"a.yaml", "'room'", "none.yaml"}, "- {name: room, scene: none.yaml}");
   expectBad(ErrorCode::kUnsupportedFormat, {"a.yaml", "'room'", "unknown scene format"}, "- {name: room, scene: t.txt}");
-  expectBad(ErrorCode::kBadScene, {"only a mesh", "scene"}, "- {name: room, scene: good.yaml, scale: [2, 2, 2]}");
+  expectBad(ErrorCode::kBadScene, {"a scene has no scale; remove it"}, "- {name: room, scene: good.yaml, scale: [2, 2, 2]}");
   expectBad(ErrorCode::kBadScene, {"good.yaml", "body 'room/ball' appears twice"},
             "- {name: room/ball, sphere: 1}\n- {name: room, scene: good.yaml}");
-  expectBad(ErrorCode::kBadScene, {"deeper than 20; does one include itself?"}, "- {name: room, scene: a.yaml}");
+  expectBad(ErrorCode::kBadScene, {"line 2, body 'room': '", "a.yaml' contains itself that way"}, "- {name: room, scene: a.yaml}");
   expectBad(ErrorCode::kBadScene, {"line 2", "has no name"}, "- {name: '', scene: good.yaml}");
 }
 

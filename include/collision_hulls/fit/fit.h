@@ -5,8 +5,8 @@
 // robot keeps at least c from the scene and from itself. Every cut covers its mesh, so no model
 // misses a collision; a coarse one has false collisions.
 //
-//   1. prove which pairs of bodies can never come within c of each other, at once for what is far
-//      from the robot; leave out the pairs that self-collision checking skips
+//   1. set aside what of the scene is too far away for any link; prove which pairs of bodies can
+//      never come within c of each other; leave out the pairs that self-collision checking skips
 //   2. start with one hull per mesh: the root of its tree
 //   3. sample configurations: where the model collides though the original is clear, open tree
 //      nodes (replace them by their children), the cheapest cure first, until the model is free
@@ -69,9 +69,10 @@ struct FitProblem {
   std::vector<DisabledPair> disabled;  ///< pairs of links that are not checked
   /// to fit to, of finite values; empty: samples from the joints' whole ranges
   std::vector<Configuration> configurations;
-  /// Some joints have no room between their limits here, but do where the model will be used: what
-  /// holds of the others' motions alone is not said of pairs of links in general.
-  bool joints_held = false;
+  /// Where joints are held, by limits without room that they do not have where the model will be
+  /// used: all joints at rest there. Links that touch in it are left out; that others always or
+  /// never meet is not said in `disabled`. Empty: no joint is held.
+  Configuration rest_unheld = {};
 };
 
 struct FitOptions {
@@ -147,7 +148,7 @@ struct FitReport {
   /// for verification; not used for fitting, unless the configurations were given
   std::size_t samples = 0;
   bool given = false;                  ///< the configurations were given
-  std::map<std::string, double> held;  ///< [rad or m] joints that stayed where they are, by name
+  std::map<std::string, double> held;  ///< [rad or m] joints that did not move, by name
   std::size_t asked = 0;               ///< samples evaluated while fitting
   std::size_t counterexamples = 0;     ///< found and cured
   std::size_t original_hits = 0;       ///< samples in which the original collides
@@ -166,8 +167,8 @@ struct FitReport {
   std::size_t leaf_contacts = 0;
   std::string leaf_contact;  ///< the pairs that have most of them, with the distance in one
   std::size_t pairs = 0, proved_pairs = 0;
-  /// bodies of the scene that are further from each link than twice as far as it reaches: such
-  /// pairs are proved
+  /// bodies of the scene that are too far away for any link: beyond twice its reach from its first
+  /// joint. Such pairs are proved, and the times of queries are without them
   std::size_t far_bodies = 0;
   /// [us] to decide whether a configuration is free, with a BoxedModel on one thread; skips the
   /// pairs of links that are proved apart, as the written SRDF does

@@ -67,8 +67,8 @@ void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 /// are absent from the fit. `method` must be certified. extra_files holds
 /// `config/<robot>_disabled.srdf`; where joints are held, that says nothing of pairs that always or
 /// never meet. Throws kBadOption, also for configurations of another size or with values that are
-/// not finite, for joints that the robot does not have or that leave nothing to move, and for both;
-/// kUnwritableOutput as decomposeRobot(); kCancelled.
+/// not finite, for joints that the robot does not have or that leave nothing to move, and for
+/// configurations where joints are held; kUnwritableOutput as decomposeRobot(); kCancelled.
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package,
                             const SceneRequest& request, const Options& options,
                             const std::string& output, const RunControl& control = {},

@@ -89,7 +89,7 @@ class Kinematics {
 
   /// rest() with the values of the named variables. Throws kBadOption for a name that is no
   /// variable, a value that is not finite, and one that is beyond its limits by more than 1e-6 of
-  /// them.
+  /// them; a continuous joint has none.
   Configuration configuration(const std::map<std::string, double>& values) const;
 
   /// Each variable between its limits, from numbers in [0, 1).

@@ -51,13 +51,16 @@ std::string noteOnScenePairs(const FitReport& fit) {
          "; check the scene's pose unless the robot really stands like that";
 }
 
-/// On links that are left out because they touch in the given configurations, though not at rest; empty: there are none.
+/// On links that are left out because they touch in the given configurations, or with joints held, though not at rest; empty: there are
+/// none.
 std::string noteOnGivenContacts(const FitReport& fit) {
-  if (!fit.given) return "";
+  if (!fit.given && fit.held.empty()) return "";
   const LeftOut pairs = leftOut(fit, [](const LeftOutPair& pair) { return pair.links && pair.reason == "Always" && !pair.at_rest; });
   if (pairs.empty()) return "";
-  return leftOutText(pairs, "links", " and ") + " in the given configurations, though not at rest, so the check says nothing about " +
-         pronoun(pairs) + "; check the configurations unless the robot really stands like that";
+  return leftOutText(pairs, "links", " and ") +
+         (fit.given ? " in the given configurations" : " in nearly all configurations with the joints held") +
+         ", though not at rest, so the check says nothing about " + pronoun(pairs) +
+         (fit.given ? "; check the configurations" : "; hold them elsewhere") + " unless the robot really stands like that";
 }
 
 /// On links that are left out because they touch at rest, though often not elsewhere; empty: there are none.
@@ -91,7 +94,8 @@ std::string noteOnFewClear(const FitReport& fit) {
          (fit.clear == 0 ? "none" : "only " + std::to_string(fit.clear)) + " of " + counted(fit.clear_of, "configuration") + ", so " +
          (fit.clear == 0 ? "the fit had nothing to learn from and its check for false collisions says nothing"
                          : "the fit learned from few, and its check for false collisions says little") +
-         "; use a smaller clearance, let only those joints move that are planned (joints), or give the configurations that matter";
+         "; use a smaller clearance, " + (fit.given || !fit.held.empty() ? "" : "let only the planned joints move (joints), ") +
+         "or give " + (fit.given ? "other configurations" : "the configurations that matter");
 }
 
 /// [m] From the root's origin to a hull's bounding box, or to a mesh, in which a robot may stand.

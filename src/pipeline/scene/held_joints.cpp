@@ -6,15 +6,12 @@
 
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/robot/kinematics.h"
 #include "report/link_pattern.h"
 
 namespace collision_hulls {
 
-std::map<std::string, double> heldJoints(const RobotDescription& robot, const std::string& moving,
-                                         const std::map<std::string, double>& at) {
+std::map<std::string, double> heldJoints(const Kinematics& kinematics, const std::string& moving, const std::map<std::string, double>& at) {
   if (moving.empty() && at.empty()) return {};
-  const Kinematics kinematics(robot);
   const Configuration places = kinematics.configuration(at);
   const LinkPattern chosen(moving.empty() ? ".*" : moving, "joints");
   std::map<std::string, double> held;
@@ -22,18 +19,20 @@ std::map<std::string, double> heldJoints(const RobotDescription& robot, const st
   bool matched = false, moves = false;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const JointVariable& variable = kinematics.variables()[i];
-    const bool has_room = variable.lower < variable.upper, is_chosen = chosen.matches(variable.name);
-    if (has_room) movable.push_back(variable.name);
-    matched = matched || (has_room && is_chosen);
+    if (!(variable.lower < variable.upper)) continue;
+    movable.push_back(variable.name);
+    const bool is_chosen = chosen.matches(variable.name);
+    matched = matched || is_chosen;
     if (is_chosen && at.count(variable.name) == 0)
-      moves = moves || has_room;
+      moves = true;
     else
       held[variable.name] = places[i];
   }
+  if (movable.empty()) throw Error(ErrorCode::kBadOption, "the robot has no joint with room between its limits; omit joints and at");
   if (!matched)
-    throw Error(ErrorCode::kBadOption, "joints '" + moving + "' matches no joint with room between its limits" +
-                                           (movable.empty() ? "" : "; those with room are " + listed(movable)));
-  if (!moves) throw Error(ErrorCode::kBadOption, "at holds every joint that could move; leave out the position of one at least");
+    throw Error(ErrorCode::kBadOption,
+                "joints '" + moving + "' matches no joint with room between its limits; those with room are " + listed(movable));
+  if (!moves) throw Error(ErrorCode::kBadOption, "at holds each joint that could move, and one has to; leave one of them out");
   return held;
 }
 

@@ -217,7 +217,7 @@ def fit_scene(
         doc/scenes.md lists them.
     output, config, package_paths, consumers, progress: as for decompose_robot().
 
-    The report is as there, and what is raised. report["scene"] has what is known of the fit.
+    Returns and raises what decompose_robot() does; report["scene"] has what is known of the fit.
     """
     named = {"scene": scene, "clearance": clearance, "output": output, "tolerance": tolerance, "config": config,
              "package_paths": _several(package_paths), "consumers": _several(consumers)}

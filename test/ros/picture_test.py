@@ -57,9 +57,20 @@ class PictureTest(unittest.TestCase):
         self.folder = tempfile.mkdtemp(prefix="collision_hulls_test_")
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def take_picture(self, *arguments):
+    def crashing_rviz(self):
+        """A folder with an rviz that crashes when it is started for the first time, as the real one sometimes does."""
+        folder = os.path.join(self.folder, "bin")
+        os.mkdir(folder)
+        script, mark = os.path.join(folder, "rviz"), os.path.join(folder, "crashed")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write(f'#!/bin/sh\n[ -e "{mark}" ] || {{ : > "{mark}"; kill -KILL $$; }}\nexec "{shutil.which("rviz")}" "$@"\n')
+        os.chmod(script, 0o755)
+        return folder
+
+    def take_picture(self, *arguments, programs=""):
         # As in a shell that has sourced setup.bash: tests have the source folder on the path instead.
-        environment = dict(os.environ, ROS_PACKAGE_PATH=os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)[0] + "/share")
+        environment = dict(os.environ, ROS_PACKAGE_PATH=os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)[0] + "/share",
+                           PATH=programs + os.pathsep + os.environ["PATH"] if programs else os.environ["PATH"])
         return subprocess.run([SCRIPT, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=330, check=False,
                               universal_newlines=True, env=environment)
 
@@ -77,8 +88,10 @@ class PictureTest(unittest.TestCase):
     def test_three_panels(self):
         """The script itself checks that every link is seen; here, that what it saved has colours, and where."""
         picture = os.path.join(self.folder, "rviz.png")
-        run = self.take_picture("-t", "5%", "-o", picture)
+        run = self.take_picture("-t", "5%", "-o", picture, programs=self.crashing_rviz())
         self.assertEqual(0, run.returncode, run.stdout)
+        self.assertIn("rviz_picture: rviz ended, and there was no picture", run.stdout)
+        self.assertIn("starting it again", run.stdout)
         hues = []
         for panel in range(3):
             part = os.path.join(self.folder, f"{panel}.ppm")

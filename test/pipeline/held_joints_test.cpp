@@ -55,6 +55,7 @@ TEST(HeldJoints, ErrorsNameWhatIsWrong) {
 TEST(HeldJoints, StayWhereTheyAreInEveryConfiguration) {
   const Kinematics kinematics(withJointsHeld(robot(), {{"lift", 0.4}, {"arm_pan", 3}}));
   ASSERT_EQ(kinematics.variables().size(), 4u);
+  EXPECT_FALSE(kinematics.variables()[0].continuous) << "what mimics it is settled";
   for (const double share : {0.0, 0.5, 1.0}) {
     const Configuration configuration = kinematics.sample([&] { return share; });
     EXPECT_EQ(configuration[0], 3);

@@ -5,6 +5,7 @@
 
 #include "fit/contacts.h"
 #include "fit/fit_fixtures.h"
+#include "fit/fitting.h"
 #include "fit/pair_rules.h"
 
 namespace collision_hulls {
@@ -40,6 +41,15 @@ TEST(Originals, ADistanceJustBelowTheLimitIsFound) {
   const Assembly assembly(problem, 1);
   const Originals originals(problem, assembly, {});
   EXPECT_NEAR(originals.distanceBelow(0.251, 1, 2, assembly.places(assembly.kinematics().rest())), 0.25, 1e-6);
+}
+
+TEST(Originals, AConfigurationIsClearOnlyWhereEachPairKeepsItsClearance) {
+  const FitProblem problem = besidePost();
+  const Assembly assembly(problem, 1);
+  const Originals originals(problem, assembly, {});
+  const Places rest = assembly.places(assembly.kinematics().rest());
+  EXPECT_TRUE(isClear(assembly, originals, CheckedPairs(assembly, {{1, 2, 0.249}}), rest, {}));
+  EXPECT_FALSE(isClear(assembly, originals, CheckedPairs(assembly, {{1, 2, 0.251}}), rest, {}));
 }
 
 TEST(PairRules, WhatIsProvedOfAPairIsNoMoreThanItsDistance) {

@@ -53,19 +53,19 @@ TEST(YamlScene, TakesAllBodiesOfOtherFiles) {
   folder.write("rooms/hall.yaml", "bodies:\n- {name: step, box: [1, 1, 1], pose: {xyz: [0, 0, 2]}}\n- {name: part, mesh: t.obj}");
   folder.write("cell.urdf",
                "<robot name='cell'><link name='table'><collision><geometry><box size='1 1 1'/></geometry></collision></link></robot>");
-  folder.write("b.yaml", "bodies:\n- {name: work, scene: cell.urdf, pose: {xyz: [0, 5, 0]}}");
+  folder.write("b.yaml", "bodies:\n- {name: desk, scene: cell.urdf, pose: {xyz: [0, 5, 0]}}");
   const Scene scene = sceneOf(folder, "a.yaml", R"(bodies:
 - {name: home, scene: rooms/hall.yaml, pose: {xyz: [1, 0, 0], rpy: [1.5707963267948966, 0, 0]}}
-- {name: work, scene: cell.urdf, pose: {xyz: [0, 5, 0]}}
+- {name: desk, scene: cell.urdf, pose: {xyz: [0, 5, 0]}}
 - {name: again, scene: b.yaml, pose: {xyz: [0, 0, 10]}}
 )");
   ASSERT_EQ(scene.bodies.size(), 4u);
   EXPECT_EQ(scene.bodies[0].name, "home/step");
   expectBox(scene.bodies[0], {0.5, -2.5, -0.5}, {1.5, -1.5, 0.5});
   EXPECT_EQ(scene.bodies[1].name, "home/part") << "its path is relative to the file that names it";
-  EXPECT_EQ(scene.bodies[2].name, "work/table");
+  EXPECT_EQ(scene.bodies[2].name, "desk/table");
   expectBox(scene.bodies[2], {-0.5, 4.5, -0.5}, {0.5, 5.5, 0.5});
-  EXPECT_EQ(scene.bodies[3].name, "again/work/table");
+  EXPECT_EQ(scene.bodies[3].name, "again/desk/table");
   expectBox(scene.bodies[3], {-0.5, 4.5, 9.5}, {0.5, 5.5, 10.5});
   const std::set<std::string> read(scene.files.begin(), scene.files.end());
   for (const char* const name : {"rooms/hall.yaml", "rooms/t.obj", "cell.urdf", "b.yaml"})

@@ -130,6 +130,7 @@ OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& 
   root.half = box.sizes().maxCoeff() / 2 * (1 + kBoxMargin);
   root.middle = box.center() + Eigen::Vector3d::Constant(root.half);
   measure(0, -1);
+  tellSide(0, -1);
 }
 
 OutsideDistance::Cube OutsideDistance::cube(int id) const {
@@ -147,24 +148,40 @@ bool OutsideDistance::reaches(const ConvexHull& hull) const {
                      [&](const Eigen::Vector3d& v) { return (solid_.axes() * v - root.centre).cwiseAbs().maxCoeff() <= root.half; });
 }
 
-/// A child near its parent's centre is on the same side of the surface, which saves telling the side anew. -1: no parent.
+/// -1: no parent. Which side of the surface the centre is on takes as long to tell, and many cells are done with without.
 void OutsideDistance::measure(int id, int parent_id) {
-  const Cell* const parent = parent_id < 0 ? nullptr : &at(parent_id);
-  const Eigen::Vector3d centre = cube(id).centre, p = inWorld(centre);
-  const TriangleBvh::Nearest n = solid_.surface().nearest(p, std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
+  const int hint = parent_id < 0 ? -1 : at(parent_id).triangle;
+  const TriangleBvh::Nearest n = solid_.surface().nearest(inWorld(cube(id).centre), std::numeric_limits<double>::infinity(), hint);
   Cell& cell = at(id);
   cell.triangle = n.triangle;
   cell.to_surface = n.distance;
-  if (parent && solid_.isOneSide(parent->to_surface, (cube(parent_id).centre - centre).norm()))
-    cell.distance = solid_.signedDistance(p, n.distance, std::signbit(parent->distance));
-  else
-    cell.distance = solid_.signedDistance(p, n.distance);
 }
 
-/// An upper bound over a cell on the distance to S as a set (lemma 1 of doc/certified.md); infinite if the cell was not measured yet.
+/// A child near its parent's centre is on the same side of the surface, which saves telling the side anew. The parent's is known. -1: no
+/// parent.
+void OutsideDistance::tellSide(int id, int parent_id) {
+  Cell& cell = at(id);
+  if (!std::isnan(cell.distance)) return;
+  const Cell* const parent = parent_id < 0 ? nullptr : &at(parent_id);
+  const Eigen::Vector3d centre = cube(id).centre, p = inWorld(centre);
+  if (parent && solid_.isOneSide(parent->to_surface, (cube(parent_id).centre - centre).norm()))
+    cell.distance = solid_.signedDistance(p, cell.to_surface, std::signbit(parent->distance));
+  else
+    cell.distance = solid_.signedDistance(p, cell.to_surface);
+}
+
+/// An upper bound over a cell on the distance to S as a set (lemma 1 of doc/certified.md); infinite if the cell was not measured yet. A
+/// cell without a side counts as outside.
 double OutsideDistance::knownBound(int id) const {
   const Cell& cell = at(id);
-  return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : std::min(cell.distance + radius(id), cell.level);
+  if (cell.triangle < 0) return std::numeric_limits<double>::infinity();
+  return std::min((std::isnan(cell.distance) ? cell.to_surface : cell.distance) + radius(id), cell.level);
+}
+
+/// The same of a measured cell, whose side is told if the bound is more than `enough` without.
+double OutsideDistance::boundBelow(double enough, int id, int parent) {
+  if (knownBound(id) > enough) tellSide(id, parent);
+  return knownBound(id);
 }
 
 /// A point of the hull in a cell whose centre is outside the solid; nullopt if that point may not be outside, too.
@@ -201,7 +218,8 @@ const OutsideDistance::Cell& OutsideDistance::measuredChild(int id, int parent) 
 void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, const Eigen::AlignedBox3d& part) {
   const Cell& known = other.at(known_id);
   Cell& cell = at(id);
-  if (cell.triangle < 0) cell.to_surface = known.to_surface, cell.distance = known.distance, cell.triangle = known.triangle;
+  if (cell.triangle < 0) cell.to_surface = known.to_surface, cell.triangle = known.triangle;
+  if (std::isnan(cell.distance)) cell.distance = known.distance;
   const auto at_known = static_cast<std::size_t>(known_id) % 8;
   if (summit(id) < 0) summit(id) = other.family(known_id).summit[at_known];
   cell.level = std::min(cell.level, known.level);
@@ -259,15 +277,24 @@ bool OutsideDistance::isAmongWalls(int id) {
   return known != 0;
 }
 
-/// What is known about its children may bound a cell more tightly; later queries then need not divide it.
+/// What is known about its children may bound a cell more tightly; later queries then need not divide it. Children without a side come
+/// last: theirs is told only where it makes a difference.
 void OutsideDistance::boundByChildren(int id) {
   double most = 0, summits = 0;
   const int first = at(id).children;
-  for (int k = first; k < first + 8; ++k) {
-    most = std::max(most, knownBound(k));
-    summits = std::max(summits, summitBound(k));
-  }
   Cell& cell = at(id);
+  const auto add = [&](int child) {
+    most = std::max(most, knownBound(child));
+    summits = std::max(summits, summitBound(child));
+  };
+  for (int k = first; k < first + 8; ++k)
+    if (!std::isnan(at(k).distance) || at(k).triangle < 0) add(k);
+  for (int k = first; k < first + 8; ++k) {
+    if (!std::isnan(at(k).distance) || at(k).triangle < 0) continue;
+    const bool matters = (most < cell.level && knownBound(k) > most) || (summits < cell.summits && summitBound(k) > summits);
+    if (matters) tellSide(k, id);
+    add(k);
+  }
   cell.level = std::min(cell.level, most);
   cell.summits = std::min(cell.summits, summits);
 }
@@ -291,7 +318,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     View view(cube(cell), faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
-    const double bound = std::min(knownBound(cell), query.surface_bound + std::min(view.depth, query.depth));
+    const double bound = std::min(boundBelow(enough(), cell, parent), query.surface_bound + std::min(view.depth, query.depth));
     if (bound <= enough()) return;
     queue.push({bound, cell, views.size()});
     views.push_back(std::move(view));
@@ -353,7 +380,8 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& in_world, d
     const Cube place = cube(id);
     if (((place.centre - middle).cwiseAbs() - half).maxCoeff() > place.half) continue;
     if (std::abs(normal.dot(place.centre) - offset) > place.half * width) continue;
-    if (cell.triangle >= 0 && solid_.distanceWithin(radius(id), cell.distance, cell.to_surface) <= distance) continue;
+    const double signed_distance = std::isnan(cell.distance) ? cell.to_surface : cell.distance;
+    if (cell.triangle >= 0 && solid_.distanceWithin(radius(id), signed_distance, cell.to_surface) <= distance) continue;
     if (cell.children < 0 || top + 8 > 8 * kDeepest) return false;
     for (int k = 0; k < 8; ++k) stack[top++] = cell.children + k;
   }
@@ -373,7 +401,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     View view(cube(cell), faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
-    if (knownBound(cell) > tolerance) level.push_back({cell, std::move(view)});
+    if (boundBelow(tolerance, cell, parent) > tolerance) level.push_back({cell, std::move(view)});
   };
   look(0, -1, faces.all);
   std::vector<Intruder> found;

@@ -61,10 +61,12 @@ class OutsideDistance {
   std::vector<Intruder> intruders(const ConvexHull& hull, double tolerance, std::size_t wanted, double resolution);
 
  private:
+  static constexpr double kNoSide = std::numeric_limits<double>::quiet_NaN();  // the side of the surface is not told yet
+
   /// A cell's place is its family's: memory is what limits such a tree.
   struct Cell {
     double to_surface = 0;                                     // [m] from the centre
-    double distance = 0;                                       // [m] the same, signed: see Solid::signedDistance()
+    double distance = kNoSide;                                 // [m] the same, signed: see Solid::signedDistance()
     double level = std::numeric_limits<double>::infinity();    // [m] another upper bound on the distance of its points, if known,
     double summits = std::numeric_limits<double>::infinity();  // [m] and one on the distance of its local maxima
     int triangle = -1;                                         // the nearest one; -1: not measured yet
@@ -102,7 +104,9 @@ class OutsideDistance {
   static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);
   Eigen::Vector3d inWorld(const Eigen::Vector3d& p) const { return solid_.axes().transpose() * p; }
   void measure(int cell, int parent);
+  void tellSide(int cell, int parent);
   double knownBound(int cell) const;
+  double boundBelow(double enough, int cell, int parent);
   std::optional<Eigen::Vector3d> outsidePoint(int cell, const Faces& hull, const View& view) const;
   bool canDivide(int cell) const;  // bounds the memory
   int children(int cell);

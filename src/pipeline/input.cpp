@@ -14,6 +14,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "pipeline/mesh_uses.h"
+#include "robot/xacro.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
@@ -27,12 +28,10 @@ bool isRobotFile(const std::string& path) {
   return extension == ".urdf" || extension == ".xacro";
 }
 
-using PackagePath = std::vector<std::string>;
-
-Input robotInput(const std::string& path, const PackagePath& package_path, const RunControl& control) {
+Input robotInput(const std::string& path, const InputOptions& options, const RunControl& control) {
   Input input;
-  input.find_package = defaultPackageFinder(path, package_path);
-  input.robot = readRobotDescription(path, control, package_path);
+  input.find_package = defaultPackageFinder(path, options.package_path);
+  input.robot = readRobotDescription(path, control, options.package_path, options.xacro_arguments);
   return input;
 }
 
@@ -43,9 +42,9 @@ std::string useInFitScene(const std::string& path) {
   return extension == ".srdf" ? "--srdf" : extension == ".sdf" || extension == ".world" ? "--scene" : "";
 }
 
-Input fileInput(const std::string& path, const PackagePath& package_path, const RunControl& control) {
+Input fileInput(const std::string& path, const InputOptions& options, const RunControl& control) {
   const std::string use = useInFitScene(path), extension = lowerExtension(path);
-  if (use.empty() && isRobotFile(path)) return robotInput(path, package_path, control);
+  if (use.empty() && isRobotFile(path)) return robotInput(path, options, control);
   if (!isMeshFile(path)) {
     const std::string taken = extension == ".xacro" ? "takes such files, once xacro has expanded them, as " : "takes such files as ";
     throw Error(ErrorCode::kUnsupportedFormat,
@@ -53,16 +52,12 @@ Input fileInput(const std::string& path, const PackagePath& package_path, const 
                     extension + "', which is not supported" + (use.empty() ? "" : " here (fit_scene " + taken + use + ")") +
                     "; give a .urdf or .xacro file for a robot, or a mesh (" + listed(meshExtensions(), " ") + ")");
   }
+  checkTakesArguments(path, options.xacro_arguments);
   Input input;
   input.kind = Input::Kind::kMesh;
   input.path = path;
   return input;
 }
-
-/// A command, but for its INPUT.
-struct CommandAround {
-  std::string program, options;
-};
 
 /// Where a search ended, if it did not see all.
 std::string cutShort(const FoundDescriptions& found) {
@@ -70,7 +65,7 @@ std::string cutShort(const FoundDescriptions& found) {
 }
 
 /// One of them is to be chosen.
-std::string commandsFor(const FoundDescriptions& found, const CommandAround& command) {
+std::string commandsFor(const FoundDescriptions& found, const InputOptions& options) {
   constexpr std::size_t kMostListed = 12;
   const std::vector<std::string>& descriptions = found.files;
   const std::string counted_all = counted(descriptions.size(), found.are_parts ? "file" : "robot description") + cutShort(found);
@@ -80,24 +75,23 @@ std::string commandsFor(const FoundDescriptions& found, const CommandAround& com
                                       : "; run") +
                      (descriptions.size() > 1 ? " one of" : "");
   for (std::size_t i = 0; i < std::min(descriptions.size(), kMostListed); ++i)
-    text += "\n  " + command.program + " " + shellWord(descriptions[i]) + (command.options.empty() ? "" : " " + command.options);
+    text += "\n  " + options.program + " " + shellWord(descriptions[i]) + (options.words.empty() ? "" : " " + options.words);
   if (descriptions.size() > kMostListed) text += "\n  or with one of " + std::to_string(descriptions.size() - kMostListed) + " more";
   return text;
 }
 
-Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const CommandAround& command,
-                   const RunControl& control) {
+Input packageInput(const std::string& name, const std::string& folder, const InputOptions& options, const RunControl& control) {
   FoundDescriptions found{robotDescriptionsIn(folder)};
   if (found.files.size() != 1) {
     FoundDescriptions below = robotDescriptionsBelow(folder);
     if (found.files.empty() || below.are_parts) found = std::move(below);
   }
-  if (found.files.size() == 1 && found.cut_after == 0) return robotInput(found.files.front(), package_path, control);
+  if (found.files.size() == 1 && found.cut_after == 0) return robotInput(found.files.front(), options, control);
   if (found.files.empty()) {
     throw Error(ErrorCode::kFileNotFound, "package '" + name + "' (" + folder + ") has no .urdf or .xacro file" + cutShort(found) +
                                               "; give the package or the file that describes the robot");
   }
-  throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + commandsFor(found, command));
+  throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + commandsFor(found, options));
 }
 
 /// Of an output for a single mesh, the file with all hulls; empty for any other folder.
@@ -125,7 +119,7 @@ std::string meantBy(const fs::path& file) {
   return meant.empty() ? "; check the path" : meant;
 }
 
-[[noreturn]] void throwNotFound(const std::string& input, bool package_tried, const CommandAround& command) {
+[[noreturn]] void throwNotFound(const std::string& input, bool package_tried, const InputOptions& options) {
   std::error_code error;
   const std::string place = fs::absolute(fs::path(".") / input, error).lexically_normal().string();  // empty: the working folder is gone
   if (!input.empty() && fs::is_directory(input, error)) {
@@ -138,7 +132,7 @@ std::string meantBy(const fs::path& file) {
     throw Error(ErrorCode::kFileNotFound,
                 "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
                     (below.files.empty() ? none + "give a package, a .urdf or .xacro file, or a mesh; 'batch' takes folders of meshes"
-                                         : "it has " + commandsFor(below, command)));
+                                         : "it has " + commandsFor(below, options)));
   }
   if (isRobotFile(input) || isMeshFile(input))
     throw Error(ErrorCode::kFileNotFound, "'" + input + "' does not exist" +
@@ -154,20 +148,17 @@ std::string meantBy(const fs::path& file) {
 
 }  // namespace
 
-Input openInput(const std::string& input, const PackagePath& package_path, const std::string& program, const RunControl& control,
-                const std::string& options) {
-  const CommandAround command{program, options};
+Input openInput(const std::string& input, const InputOptions& options, const RunControl& control) {
+  const PackageFinder find_package = defaultPackageFinder("", options.package_path);
   std::error_code error;
-  if (packageOf(input))
-    return openInput(resolveUri(input, "", defaultPackageFinder("", package_path)), package_path, program, control, options);
-  if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error))
-    return packageInput(input, input, package_path, command, control);
-  if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, package_path, control);
+  if (packageOf(input)) return openInput(resolveUri(input, "", find_package), options, control);
+  if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input, options, control);
+  if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, options, control);
   const bool file_meant = input.empty() || input.find('/') != std::string::npos || isRobotFile(input) || isMeshFile(input);
-  if (file_meant) throwNotFound(input, false, command);
-  const std::optional<std::string> folder = defaultPackageFinder("", package_path)(input);
-  if (!folder) throwNotFound(input, true, command);
-  return packageInput(input, *folder, package_path, command, control);
+  if (file_meant) throwNotFound(input, false, options);
+  const std::optional<std::string> folder = find_package(input);
+  if (!folder) throwNotFound(input, true, options);
+  return packageInput(input, *folder, options, control);
 }
 
 std::string workOn(const Input& input, const Options& options, const RunControl& control) {

@@ -53,6 +53,12 @@ std::string helpRow(const std::string& names, const std::string& type, const std
   return row + wrapped(help, kIndent, kWidth) + "\n";
 }
 
+/// Whether a word is NAME:=VALUE. One that may be a path is not.
+bool isAssignment(const std::string& word) {
+  const std::size_t sign = word.find(":=");
+  return sign != std::string::npos && sign > 0 && word.find('/') > sign;
+}
+
 }  // namespace
 
 Check range(double least, double most) {
@@ -104,6 +110,12 @@ CommandLine::Option* CommandLine::add(const std::string& names, const std::strin
   return &option;
 }
 
+CommandLine::Option* CommandLine::add_assignments(std::vector<std::string>& values, const std::string& help) {
+  Option* const option = add_option("NAME:=VALUE", values, help);
+  option->assigns_ = true;
+  return option;
+}
+
 CommandLine::Option* CommandLine::add_option_function(const std::string& names, const std::function<void(const std::string&)>& set,
                                                       const std::string& help) {
   Option* const option = add(names, help);
@@ -148,9 +160,12 @@ std::string CommandLine::given() const {
   const auto add = [&](const std::string& word) { words += (words.empty() ? "" : " ") + word; };
   for (const auto& option : options_) {
     const auto found = given_.find(option->name_);
-    if (option->positional_ || found == given_.end()) continue;
+    if (found == given_.end() || (option->positional_ && !option->assigns_)) continue;
     if (!option->takes_value_) add("--" + option->name_);
-    for (const std::string& text : found->second) add("--" + option->name_ + (text.rfind('-', 0) == 0 ? "=" : " ") + shellWord(text));
+    const auto before = [&](const std::string& text) {
+      return option->assigns_ ? "" : "--" + option->name_ + (text.rfind('-', 0) == 0 ? "=" : " ");
+    };
+    for (const std::string& text : found->second) add(before(text) + shellWord(text));
   }
   return words;
 }
@@ -170,21 +185,20 @@ bool CommandLine::isOption(const std::string& word) const {
 }
 
 std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const char* const* argv) const {
+  const std::string kWithoutDash = "an argument without a dash";  // no option's name
   po::options_description known;
-  po::positional_options_description positional;
-  std::string last;  // argument without a dash: it takes all that are left, each of the others one
+  known.add_options()(kWithoutDash.c_str(), po::value<std::vector<std::string>>(), "");
   for (const auto& option : options_) {
+    if (option->positional_) continue;
     const std::string names = option->name_ + (option->short_name_.empty() ? "" : "," + option->short_name_);
     if (option->takes_value_) {
       known.add_options()(names.c_str(), po::value<std::vector<std::string>>(), "");
     } else {
       known.add_options()(names.c_str(), "");
     }
-    if (!option->positional_) continue;
-    if (!last.empty()) positional.add(last.c_str(), 1);
-    last = option->name_;
   }
-  if (!last.empty()) positional.add(last.c_str(), -1);
+  po::positional_options_description positional;
+  positional.add(kWithoutDash.c_str(), -1);
   std::map<std::string, Texts> given;
   try {
     const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
@@ -200,7 +214,30 @@ std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const cha
   } catch (const po::error& e) {
     refuse(e.what());
   }
+  const Texts words = given[kWithoutDash];
+  given.erase(kWithoutDash);
+  deal(words, given);
   return given;
+}
+
+/// Arguments without a dash go to those that are declared, in their order: the last takes all that are left, each of the others one.
+void CommandLine::deal(const Texts& words, std::map<std::string, Texts>& given) const {
+  const Option* assigned = nullptr;
+  Texts names;
+  for (const auto& option : options_) {
+    if (option->assigns_) assigned = option.get();
+    if (option->positional_ && !option->assigns_) names.push_back(option->name_);
+  }
+  std::size_t next = 0;
+  for (const std::string& word : words) {
+    if (assigned && isAssignment(word)) {
+      given[assigned->name_].push_back(word);
+    } else if (names.empty()) {
+      refuse("unexpected argument '" + word + "'");
+    } else {
+      given[names[std::min(next++, names.size() - 1)]].push_back(word);
+    }
+  }
 }
 
 void CommandLine::refuse(const std::string& problem) const {
@@ -265,6 +302,10 @@ std::string CommandLine::help() const {
     }
   }
   return text + footer_ + "\n";
+}
+
+void addXacroArguments(CommandLine& app, std::vector<std::string>& values, const std::string& input) {
+  app.add_assignments(values, "Values for the arguments of " + input + ", where that is a .xacro file");
 }
 
 void addPackagePath(CommandLine& app, std::vector<std::string>& folders) {

@@ -42,7 +42,7 @@ class CommandLine {
     using Setter = std::function<bool(const std::string& text)>;  ///< false: not a valid value
 
     std::string names_, name_, short_name_, help_, type_, group_ = "Options", expected_;
-    bool positional_ = false, takes_value_ = true, repeatable_ = false, required_ = false, hidden_ = false;
+    bool positional_ = false, assigns_ = false, takes_value_ = true, repeatable_ = false, required_ = false, hidden_ = false;
     Check check_;
     Setter set_;
   };
@@ -56,6 +56,9 @@ class CommandLine {
   /// outlive parse(). An option that fills a list may be given several times; an argument without a dash then takes all that are left.
   template <typename T>
   Option* add_option(const std::string& names, T& value, const std::string& help);
+
+  /// Arguments of the form NAME:=VALUE, in any place among those without a dash. Without this, they are refused.
+  Option* add_assignments(std::vector<std::string>& values, const std::string& help);
 
   /// An option whose text goes to a function.
   Option* add_option_function(const std::string& names, const std::function<void(const std::string&)>& set, const std::string& help);
@@ -74,7 +77,7 @@ class CommandLine {
   /// The text of --help.
   std::string help() const;
 
-  /// The options given to parse(), as words of a shell: "--output out --quiet". Arguments without a dash are left out.
+  /// The options given to parse(), as words of a shell: "hand:=true --output out --quiet". Other arguments without a dash are left out.
   std::string given() const;
 
   /// The long options by name, without dashes: whether they take a value, and whether they may take several, as in
@@ -88,6 +91,7 @@ class CommandLine {
 
   Option* add(const std::string& names, const std::string& help);
   std::map<std::string, Texts> split(int argc, const char* const* argv) const;
+  void deal(const Texts& words, std::map<std::string, Texts>& given) const;
   [[noreturn]] void refuse(const std::string& problem) const;
   static std::string forXacro(const std::string& argument);  ///< what to do with NAME:=VALUE
   std::string nearest(const std::string& unknown) const;
@@ -125,6 +129,9 @@ CommandLine::Option* CommandLine::add_option(const std::string& names, T& value,
   }
   return option;
 }
+
+/// Values for the arguments of a .xacro file, which is `input`.
+void addXacroArguments(CommandLine& app, std::vector<std::string>& values, const std::string& input);
 
 /// The option --package-path, which fills `folders`: where to search for packages.
 void addPackagePath(CommandLine& app, std::vector<std::string>& folders);

@@ -30,7 +30,7 @@ namespace collision_hulls {
 /// The command line of such a program.
 struct RobotCommand {
   std::string program, input, output, json;
-  std::vector<std::string> package_path, roots;
+  std::vector<std::string> package_path, xacro_arguments, roots;
   bool quiet = false;
   std::string to_wait_less;         // what to tell those who wait long
   std::string config, config_text;  // file, and what it holds
@@ -46,6 +46,7 @@ struct RobotCommand {
 /// Input, output, report and the options of a decomposition.
 inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCommand& command) {
   app.add_option("INPUT", command.input, input)->type_name("")->required();
+  addXacroArguments(app, command.xacro_arguments, "INPUT");
   app.add_option("-o,--output", command.output, "Output folder; default ./<robot>_collision. An earlier output there is replaced")
       ->type_name("DIR")
       ->check(notEmpty("a folder"))
@@ -192,7 +193,7 @@ inline void checkSuits(const Input& input, const RobotCommand& command) {
 inline Input opened(const RobotCommand& command, const RunControl& control) {
   const bool is_quick = lowerExtension(command.input) == ".urdf" || isMeshFile(command.input);
   if (!command.quiet && !is_quick) std::cerr << "opening '" << command.input << "'\n";
-  Input input = openInput(command.input, command.package_path, command.program, control, command.line->given());
+  Input input = openInput(command.input, {command.package_path, command.xacro_arguments, command.program, command.line->given()}, control);
   checkSuits(input, command);
   return input;
 }

@@ -6,6 +6,7 @@
 #include "base/counted.h"
 #include "base/in_context.h"
 #include "base/shell_word.h"
+#include "base/string_parts.h"
 #include "collision_hulls/pipeline/input.h"
 #include "decompose_options.h"
 #include "report/largest_tolerance.h"
@@ -30,7 +31,7 @@ Examples:
 
 struct Command {
   std::string original, result, source, close_openings, max_uncovered, max_protrusion, json;
-  std::vector<std::string> package_path;
+  std::vector<std::string> package_path, xacro_arguments;
   int configurations = 1000, jobs = 0;
   std::uint64_t seed = 1;
   bool quiet = false;
@@ -42,6 +43,7 @@ void addOptions(CommandLine& app, Command& command) {
       ->type_name("")
       ->required();
   app.add_option("RESULT", command.result, "Its collision model, likewise")->type_name("")->required();
+  addXacroArguments(app, command.xacro_arguments, "ORIGINAL, and of RESULT");
   const auto add = [&](const std::string& name, std::string& value, const std::string& type, const std::string& help,
                        const std::string& group) {
     app.add_option(name, value, help)->type_name(type)->group(group)->check(notEmpty("a value"));
@@ -157,8 +159,10 @@ int run(Command& command, const std::string& given) {
   interpret(command);
   if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json), checkHoldsReport(command.json); });
   const std::string before = "verify " + shellWord(command.original), after = shellWord(command.result) + " " + given;
-  const Input original = openInput(command.original, command.package_path, "verify", control, after);
-  const Input result = openInput(command.result, command.package_path, before, control, given);
+  const bool is_expanded = lowerExtension(command.result) == ".xacro" || command.result == command.original;
+  const std::vector<std::string> arguments = is_expanded ? command.xacro_arguments : std::vector<std::string>();
+  const Input original = openInput(command.original, {command.package_path, command.xacro_arguments, "verify", after}, control);
+  const Input result = openInput(command.result, {command.package_path, arguments, before, given}, control);
   checkSameKind(original, result);
   if (!command.quiet) std::cerr << "comparing '" << command.original << "' with '" << command.result << "'\n";
   const Description of_original = described(original);

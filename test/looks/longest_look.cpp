@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
     Gaps gaps;
     RunControl control;
     control.ends = [&] { return gaps.look(), false; };
-    RobotResult result = decompose(openInput(mesh, {}, "longest_look", control), options, output.string(), control);
+    RobotResult result = decompose(openInput(mesh, {}, control), options, output.string(), control);
     std::printf("%s: %zu hulls\n", mesh.c_str(), totals(result.report).hulls);
     writeOutput(result, output.string(), control);
     std::filesystem::remove_all(output);

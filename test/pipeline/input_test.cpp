@@ -109,7 +109,7 @@ TEST_F(OpenInput, ARobotByFilePackageOrFolder) {
 TEST_F(OpenInput, APackageOfThePackagePath) {
   addRobot("elsewhere/deep/urdf/arm.urdf");
   fixtures::write(folder_ / "elsewhere/CATKIN_IGNORE", "");
-  const Input input = openInput("lost_description", {"lost_description=" + (folder_ / "elsewhere/deep")});
+  const Input input = openInput("lost_description", {{"lost_description=" + (folder_ / "elsewhere/deep")}});
   EXPECT_EQ(input.robot.name, "arm");
   EXPECT_EQ(input.find_package("lost_description"), folder_ / "elsewhere/deep");
 }
@@ -192,7 +192,7 @@ TEST_F(OpenInput, CommandsKeepTheUsersOptionsAndAreADozen) {
   addPackage("many_description");
   for (int i = 10; i < 25; ++i) addRobot("many_description/urdf/r" + std::to_string(i) + ".urdf");
   try {
-    openInput("many_description", {}, "verify a.urdf", {}, "--quiet --json -");
+    openInput("many_description", {{}, {}, "verify a.urdf", "--quiet --json -"});
     ADD_FAILURE();
   } catch (const Error& e) {
     const std::string text = e.what(), folder = folder_ / "many_description/urdf/";

@@ -37,114 +37,9 @@ TEST(ReadDescription, NamesTheFileThatIsNotXml) {
               [&] { readRobotDescription(folder.write("a.urdf", "<robot>\n<a</robot>")); });
 }
 
-TEST(ReadDescription, XacroIsMissing) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("a.urdf.xacro", kUrdf);
-  const ScopedVariable path("PATH", folder.path());
-  expectError(ErrorCode::kXacroMissing, {file, "install", "xacro FILE.xacro > FILE.urdf"}, [&] { readRobotDescription(file); });
-}
-
-TEST(ReadDescription, XacroExpands) {
-  const TemporaryFolder folder;
-  writeProgram(folder, "xacro", "echo warning >&2; exec cat \"$1\"");
-  const std::string file = folder.write("a '; exit 3; $(b).XACRO", kUrdf);
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
-  const RobotDescription robot = readRobotDescription(file);
-  EXPECT_EQ(robot.text, kUrdf);
-  EXPECT_EQ(robot.path, file);
-}
-
-TEST(ReadDescription, XacroFails) {
-  const TemporaryFolder folder;
-  writeProgram(folder, "xacro", "echo '<robot'; echo 'undefined macro: wheel' >&2; exit 2");
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
-  expectError(ErrorCode::kNotARobot, {"status 2", "undefined macro: wheel"}, [&] { readRobotDescription(folder.write("a.xacro", kUrdf)); });
-}
-
-TEST(ReadDescription, XacroLacksAPackage) {
-  const TemporaryFolder folder;
-  writeProgram(folder, "xacro",
-               "printf 'error: resource not found: sick\\nROS path [0]=/opt\\nwhen processing file: /ws/laser.xacro\\nincluded from: "
-               "/ws/a' >&2; exit 2");
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
-  const std::string file = folder.write("a.xacro", kUrdf);
-  try {
-    readRobotDescription(file);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kPackageNotFound);
-    EXPECT_STREQ(
-        error.what(),
-        "package 'sick', which '/ws/laser.xacro' includes, was not found: install it and source its workspace, or give its folder, "
-        "or the one above, with --package-path DIR");
-  }
-  writeProgram(folder, "xacro", "echo 'resource not found: sick' >&2; exit 2");
-  expectError(ErrorCode::kPackageNotFound, {"package 'sick', which '" + file + "' includes"}, [&] { readRobotDescription(file); });
-}
-
-TEST(ReadDescription, XacroLacksAnArgument) {
-  const TemporaryFolder folder;
-  writeProgram(
-      folder, "xacro",
-      "printf 'error: Undefined substitution argument prefix\\nwhen processing file: /ws/hand.xacro\\nincluded from: a' >&2; exit 2");
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
-  const std::string file = folder.write("my arm.urdf.xacro", kUrdf), short_name = folder.write("arm.xacro", kUrdf);
-  expectError(ErrorCode::kNotARobot,
-              {"'" + file + "' needs a value for the argument 'prefix', which '/ws/hand.xacro' uses", "has no default",
-               "\n  xacro '" + file + "' prefix:=VALUE > '" + folder.path("my arm.urdf") + "'\nand give the .urdf"},
-              [&] { readRobotDescription(file); });
-  expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
-  folder.write("arm.urdf", kUrdf);
-  expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm_2.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
-}
-
 // xacro names one argument at a time.
-TEST(ReadDescription, XacroLacksSeveralArguments) {
-  const TemporaryFolder folder;
-  writeProgram(
-      folder, "xacro",
-      "for name in side prefix; do case \"$*\" in *\" $name:=0\"*) ;; *) echo \"Undefined substitution argument $name\" >&2; exit 2 ;; "
-      "esac; done; echo 'side is not a number' >&2; exit 2");
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
-  folder.write("urdf/here", "");
-  const std::string file = folder.write("arm.xacro", kUrdf);
-  expectError(
-      ErrorCode::kNotARobot,
-      {"needs values for the arguments 'side', 'prefix', which have no defaults (xacro may ask for more once it has values for these)",
-       "\n  xacro " + file + " side:=VALUE prefix:=VALUE > " + folder.path("arm.urdf") + "\n"},
-      [&] { readRobotDescription(folder.path("urdf") + "/../arm.xacro"); });
-}
-
 // xacro appends a blank where the argument stands in a property.
-TEST(ReadDescription, XacroLacksAnArgumentOfAnExpression) {
-  const TemporaryFolder folder;
-  writeProgram(folder, "xacro", "printf \"error: Undefined substitution argument prefix \\nwhen evaluating expression 'p'\" >&2; exit 2");
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
-  expectError(ErrorCode::kNotARobot, {"the argument 'prefix',", " prefix:=VALUE > "},
-              [&] { readRobotDescription(folder.write("arm.xacro", kUrdf)); });
-}
-
 // xacro takes no argument without one, even if it gets a value, and does not say which argument it is.
-TEST(ReadDescription, XacroLacksADefault) {
-  const TemporaryFolder folder;
-  const std::string hand = folder.write("hand.xacro",
-                                        "<robot xmlns:xacro='x'><xacro:arg name='a' default=''/><xacro:if value='true'>"
-                                        "<xacro:arg name='side'/></xacro:if></robot>");
-  const auto fail = [&](const std::string& file) {
-    writeProgram(folder, "xacro", "echo \"error: xacro:arg: missing attribute 'default'\nwhen processing file: " + file + "\" >&2; exit 2");
-  };
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
-  const std::string file = folder.write("arm.xacro", kUrdf);
-  fail(hand);
-  expectError(ErrorCode::kNotARobot,
-              {"'" + file + "' cannot be expanded: the argument 'side' in '" + hand + "' has no default", "Add default=\"\"",
-               "run\n  xacro " + file + " side:=VALUE > " + folder.path("arm.urdf") + "\nand give the .urdf"},
-              [&] { readRobotDescription(file); });
-  fail(folder.path("gone.xacro"));
-  expectError(ErrorCode::kNotARobot, {"the argument 'NAME' in '" + folder.path("gone.xacro"), " NAME:=VALUE > "},
-              [&] { readRobotDescription(file); });
-}
-
 TEST(ReadDescription, XacroOfMacrosAloneNamesTheFilesThatCallThem) {
   const TemporaryFolder folder;
   writeProgram(folder, "xacro", "echo '<robot/>'");
@@ -179,28 +74,6 @@ TEST(ReadDescription, LinesOfAnExpansionAreNamedAsSuch) {
   const std::string file = folder.write("a.xacro", kUrdf);
   expectError(ErrorCode::kNotARobot, {"'" + file + "' as xacro expands it, line 2: a <link> has no name"},
               [&] { readRobotDescription(file); });
-}
-
-TEST(ReadDescription, XacroFindsPackagesAroundAndGiven) {
-  const TemporaryFolder folder;
-  writeProgram(folder, "xacro", "echo \"path=$ROS_PACKAGE_PATH:\" >&2; exit 2");
-  for (const char* package : {"ws/arm", "ws/hand", "elsewhere/base"}) folder.write(std::string(package) + "/package.xml", "<package/>");
-  folder.write("ws/notes/readme", "");
-  const std::string file = folder.write("ws/arm/urdf/a.xacro", kUrdf);
-  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin"), ros("ROS_PACKAGE_PATH", "/ours");
-  expectError(ErrorCode::kNotARobot,
-              {"path=" + folder.path("elsewhere/base") + ":" + folder.path("ws/arm") + ":/ours:" + folder.path("elsewhere") + ":",
-               "/ws/hand:", "--package-path"},
-              [&] {
-                readRobotDescription(file, {}, {"base=" + folder.path("elsewhere/base"), folder.path("elsewhere")});
-              });
-}
-
-TEST(ReadDescription, XacroCannotBeRun) {
-  const TemporaryFolder folder;
-  folder.write("xacro", "not executable");
-  const ScopedVariable path("PATH", folder.path());
-  expectError(ErrorCode::kXacroMissing, {"cannot be run"}, [&] { readRobotDescription(folder.write("a.xacro", kUrdf)); });
 }
 
 TEST(RunProgram, TakesAnyAmountOfOutput) {

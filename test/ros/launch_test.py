@@ -88,12 +88,23 @@ class LaunchTest(unittest.TestCase):
         os.mkdir(self.folder.file("folder"))
         for argument, words in (("config:=nowhere.yaml", "nowhere.yaml' does not exist; check the path"), ("robot:=nowhere.urdf", "nowhere.urdf' does not exist"),
                                 ("robot:=nowhere.xacro", "nowhere.xacro' does not exist"), ("robot:=folder", "folder' is a folder; give"),
-                                ("robot:=box.stl", "box.stl' is no text")):
+                                ("robot:=box.stl", "box.stl' is no text"),
+                                ("xacro_args:=a=b", "robot.urdf' is not a .xacro file, and takes no argument 'a=b'; leave out xacro_args"),
+                                ("xacro_args:=a", "robot.urdf' cannot be given 'a': xacro_args takes NAME=VALUE")):
             with self.launched("decompose.launch", argument) as nodes:
                 self.assertNotEqual(0, nodes.wait(30))
             self.assertIn(words, self.log())
             self.assertNotIn("Traceback (most", self.log())
             self.assertFalse(os.path.exists(self.folder.output))
+
+    def test_arguments_for_xacro(self):
+        os.makedirs(self.folder.file("bin"))
+        self.write("bin/xacro", '#!/bin/sh\nfile=$1\nshift\nfor word; do echo "<!-- [$word] -->"; done\ncat "$file"\n')
+        os.chmod(self.folder.file("bin/xacro"), 0o755)
+        self.environment.update(PATH=self.folder.file("bin") + ":" + os.environ["PATH"])
+        os.rename(self.folder.file("robot.urdf"), self.folder.file("robot.xacro"))
+        with self.launched("view.launch", "gui:=false", "state:=false", "robot:=robot.xacro", "xacro_args:=side=left 'name=a b=c'"):
+            self.assertTrue(robots.wait_until(lambda: "<!-- [side:=left] -->\n<!-- [name:=a b=c] -->" in rospy.get_param("/robot_description", ""), 30), self.log())
 
     def test_what_the_package_path_found_is_named_for_later(self):
         package = self.folder.file("parts/foreign")

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 #include "collision_hulls/error.h"
@@ -116,6 +117,47 @@ TEST_F(CommandLineTest, WhatIsMissingOrTooMuchIsNamed) {
   expectRefused({"in", "-o", "a", "--output", "b"}, "--output is given twice: 'a' and 'b'");
   expectRefused({"in", "--output"}, "the required argument for option '--output' is missing");
   expectRefused({"in", "--quiet=1"}, "option '--quiet' does not take any arguments");
+}
+
+class AssignmentsTest : public CommandLineTest {
+ protected:
+  AssignmentsTest() { line_.add_assignments(assigned_, "Values"); }
+  std::vector<std::string> assigned_;
+};
+
+TEST_F(AssignmentsTest, StandInAnyPlace) {
+  EXPECT_TRUE(parse({"a:=1", "--count", "2", "in", "b:=c d", "--", "e:="}));
+  EXPECT_EQ(input_, "in");
+  EXPECT_EQ(assigned_, (std::vector<std::string>{"a:=1", "b:=c d", "e:="}));
+  EXPECT_EQ(line_.given(), "--count 2 a:=1 'b:=c d' e:=");
+  EXPECT_NE(line_.help().find("INPUT [NAME:=VALUE...]"), std::string::npos);
+}
+
+TEST_F(AssignmentsTest, AreNotPathsNorValuesOfOptions) {
+  EXPECT_TRUE(parse({"./a:=1", "-o", "b:=2"}));
+  EXPECT_EQ(input_, "./a:=1");
+  EXPECT_EQ(output_, "b:=2");
+  EXPECT_TRUE(assigned_.empty());
+}
+
+TEST(CommandLine, TheLastArgumentTakesAllThatAreLeft) {
+  CommandLine line("Tests.", "program");
+  std::string first;
+  std::vector<std::string> others, assigned;
+  line.add_option("FIRST", first, "One");
+  line.add_assignments(assigned, "Values");
+  line.add_option("OTHERS", others, "Others");
+  const std::array<const char*, 5> arguments{"program", "a", "x:=1", "b", "c"};
+  EXPECT_TRUE(line.parse(static_cast<int>(arguments.size()), arguments.data()));
+  EXPECT_EQ(first, "a");
+  EXPECT_EQ(others, (std::vector<std::string>{"b", "c"}));
+  EXPECT_EQ(assigned, std::vector<std::string>{"x:=1"});
+}
+
+TEST_F(AssignmentsTest, DoNotStandForOtherArguments) {
+  expectRefused({"a:=1"}, "INPUT is required");
+  expectRefused({"in", ":=1"},
+                "unexpected argument ':=1': give it to xacro itself, as in 'xacro FILE.xacro :=1 > FILE.urdf', and give the .urdf");
 }
 
 TEST_F(CommandLineTest, HelpAndVersionNeedNothingElse) {

@@ -74,6 +74,15 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf --package-path nowhere", {"package path 'nowhere'", "NAME=DIR"});
 }
 
+TEST_F(DecomposeProgram, ArgumentsForXacroFollowTheInput) {
+  expectWrongUse("arm/urdf/arm.urdf side:=left", {"'side:=left'", "'arm/urdf/arm.urdf' is not a .xacro file"});
+  expectWrongUse("arm/meshes/bracket.obj side:=left", {"'side:=left'", "'arm/meshes/bracket.obj' is not a .xacro file"});
+  for (const char* const name : {"arm.xacro", "hand.xacro"})
+    fixtures::write(folder_ / ("two/urdf/" + std::string(name)), "<robot name='a'><link name='b'/></robot>");
+  fixtures::write(folder_ / "two/package.xml", "<package><name>two</name></package>");
+  expectWrongUse("two 'side:=my left' --quiet", {"\n  decompose two/urdf/hand.xacro 'side:=my left' --quiet\n"});
+}
+
 TEST_F(DecomposeProgram, UnreadableInput) {
   fixtures::write(folder_ / "no_xml.urdf", "robot: arm\n");
   fixtures::write(folder_ / "no_links.urdf", "<robot name=\"arm\"/>\n");

@@ -120,6 +120,15 @@ TEST_F(FitSceneProgram, XacroOfTheSceneFindsThePackagesGiven) {
   EXPECT_EQ(run(command + "--package-path elsewhere", before).status, 0);
 }
 
+TEST_F(FitSceneProgram, ArgumentsOfTheRobot) {
+  fs::copy_file(folder_ / "arm.urdf", folder_ / "arm.xacro");
+  fixtures::write(folder_ / "bin/xacro", "#!/bin/sh\ncase $2 in side:=left) exec cat \"$1\" ;; --deps) exit 1 ;; esac\nexit 2\n");
+  const std::string before = "chmod +x bin/xacro; PATH=$PWD/bin:$PATH; ",
+                    command = "arm.xacro --scene notch.yaml --clearance 1cm --samples 10 ";
+  EXPECT_EQ(run(command, before).status, 2);
+  EXPECT_EQ(run(command + "side:=left", before).status, 0);
+}
+
 TEST_F(FitSceneProgram, WritesNoComparisonIfNothingCouldBeFitted) {
   fixtures::write(folder_ / "torn.urdf",
                   fixtures::robot("torn", fixtures::link("base", "    <visual>" + fixtures::meshTag("nowhere.obj") + "</visual>\n")));

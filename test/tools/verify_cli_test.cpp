@@ -52,6 +52,23 @@ TEST_F(VerifyProgram, WrongUse) {
   expectWrongUse("r.urdf r.urdf --links b", {"nothing to compare", "match --links 'b'; ORIGINAL's links are a"});
 }
 
+// They are RESULT's as well only if it is a .xacro file, or the same.
+TEST_F(VerifyProgram, ArgumentsOfXacroFiles) {
+  const std::string arm = fixtures::robot(
+      "arm", fixtures::link("base", "    <collision>" + fixtures::meshTag("bracket.obj") + "</collision>\n<!-- $(arg side) -->"));
+  for (const char* const file : {"arm.xacro", "arm.urdf", "package/urdf/arm.xacro"}) fixtures::write(folder_ / file, arm);
+  fixtures::write(folder_ / "package/package.xml", "<package><name>package</name></package>");
+  fixtures::write(folder_ / "package/urdf/bracket.obj", fixtures::read(bracket_));
+  fixtures::write(folder_ / "bin/xacro", "#!/bin/sh\ncase $2 in side:=left) exec cat \"$1\" ;; esac\nexit 2\n");
+  const std::string before = "chmod +x bin/xacro; PATH=$PWD/bin:$PATH; ";
+  for (const char* const both : {"arm.xacro arm.xacro", "arm.xacro arm.urdf", "package package"}) {
+    EXPECT_EQ(run(std::string(both) + " side:=left", before).status, 0) << both;
+    EXPECT_EQ(run(both, before).status, 2) << both;
+  }
+  const Finished refused = run("arm.urdf arm.xacro side:=left", before);
+  EXPECT_NE(refused.err.find("'arm.urdf' is not a .xacro file"), std::string::npos) << refused.err;
+}
+
 TEST_F(VerifyProgram, NobodyHasToReadTheTable) {
   run("bracket.obj hulls.obj 2>&1; echo $? > status) | true", "(");
   EXPECT_EQ(fixtures::read(folder_ / "status"), "0\n");

@@ -16,13 +16,20 @@ struct Input {
   PackageFinder find_package;
 };
 
-/// INPUT: a package name, a .urdf or .xacro file, or a mesh file. `package_path`: see
-/// defaultPackageFinder(). A package without descriptions in its folders urdf and robots has those
-/// of its other folders. Throws the readers' errors; for several descriptions the message lists a
-/// command for each: `program`, the file, `options`.
-Input openInput(const std::string& input, const std::vector<std::string>& package_path = {},
-                const std::string& program = "decompose", const RunControl& control = {},
-                const std::string& options = "");
+/// What goes with an INPUT.
+struct InputOptions {
+  std::vector<std::string> package_path = {};     ///< see defaultPackageFinder()
+  std::vector<std::string> xacro_arguments = {};  ///< see readRobotDescription()
+  /// a command is this, the INPUT, and the words after it, as messages propose it
+  std::string program = "decompose";
+  std::string words = "";
+};
+
+/// INPUT: a package name, a .urdf or .xacro file, or a mesh file. A package without descriptions in
+/// its folders urdf and robots has those of its other folders. Throws the readers' errors; for
+/// several descriptions the message lists a command for each.
+Input openInput(const std::string& input, const InputOptions& options = {},
+                const RunControl& control = {});
 
 /// "42 meshes of 17 links": what decompose() will read; empty: no mesh. Throws kBadOption as
 /// LinkDecisions, and kCancelled.

@@ -86,9 +86,12 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
 
 /// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none),
 /// which finds the package that the file lies in, those beside it, and those of `package_path`, as
-/// defaultPackageFinder() takes it. Also throws kFileNotFound.
+/// defaultPackageFinder() takes it. `xacro_arguments`: "NAME:=VALUE", values for a .xacro file's
+/// arguments; kBadOption for those of another file, and for those that the file does not have. Also
+/// throws kFileNotFound.
 RobotDescription readRobotDescription(const std::string& path, const RunControl& control = {},
-                                      const std::vector<std::string>& package_path = {});
+                                      const std::vector<std::string>& package_path = {},
+                                      const std::vector<std::string>& xacro_arguments = {});
 
 /// Finds packages, and files of packages that are not where their URIs say. Copies share one search
 /// and its notes. Thread safe if the lookup is.

@@ -25,7 +25,7 @@ import re
 import threading
 import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 if TYPE_CHECKING:
     import numpy
@@ -167,6 +167,7 @@ def decompose_robot(
     tolerance: Optional[Length] = None,
     config: Optional[Path] = None,
     package_paths: Sequence[Path] = (),
+    xacro_arguments: Optional[Mapping[str, Any]] = None,
     consumers: Sequence[str] = (),
     progress: Optional[Progress] = None,
     **options: Any,
@@ -178,6 +179,7 @@ def decompose_robot(
     tolerance: as for decompose().
     config: a YAML file with settings link by link.
     package_paths: folders to search for packages, or "NAME=FOLDER" for one package.
+    xacro_arguments: values for the arguments of a .xacro file, by name: {"prefix": "left_", "hand": True}.
     consumers: what to write files for, beside URDF: "moveit", "gazebo", "mujoco", ...
     progress: as for decompose(). What it raises at the very end, when the output is complete, leaves that in place.
     options: every other option of the program, with _ for -: max_hulls=8, links=".*_finger", no_validate=True. None and False leave one out;
@@ -189,7 +191,7 @@ def decompose_robot(
     Raises Error, and KeyboardInterrupt soon after a Ctrl-C; then the output was written completely or not at all.
     """
     named = {"output": output, "tolerance": tolerance, "config": config, "package_paths": _several(package_paths), "consumers": _several(consumers)}
-    return _run("decompose", path, {**named, **options}, progress)
+    return _run("decompose", path, xacro_arguments, {**named, **options}, progress)
 
 
 def fit_scene(
@@ -201,6 +203,7 @@ def fit_scene(
     tolerance: Optional[Length] = None,
     config: Optional[Path] = None,
     package_paths: Sequence[Path] = (),
+    xacro_arguments: Optional[Mapping[str, Any]] = None,
     consumers: Sequence[str] = (),
     progress: Optional[Progress] = None,
     **options: Any,
@@ -215,20 +218,20 @@ def fit_scene(
     tolerance: that of the finest hulls.
     options: every other option of the program, with _ for -: samples=100000, srdf="arm.srdf", configurations="path.csv", hulls_only=True.
         doc/scenes.md lists them.
-    output, config, package_paths, consumers, progress: as for decompose_robot().
+    output, config, package_paths, xacro_arguments, consumers, progress: as for decompose_robot().
 
     Returns and raises what decompose_robot() does; report["scene"] has what is known of the fit.
     """
     named = {"scene": scene, "clearance": clearance, "output": output, "tolerance": tolerance, "config": config,
              "package_paths": _several(package_paths), "consumers": _several(consumers)}
-    return _run("fit_scene", path, {**named, **options}, progress)
+    return _run("fit_scene", path, xacro_arguments, {**named, **options}, progress)
 
 
-def _run(program: str, path: Path, options: Dict[str, Any], progress: Optional[Progress]) -> dict:
+def _run(program: str, path: Path, xacro_arguments: Optional[Mapping[str, Any]], options: Dict[str, Any], progress: Optional[Progress]) -> dict:
     from . import _core
 
     look = _look(progress)
-    words = [*_words(program, options), b"--", _encoded("path", path)]
+    words = [*_words(program, options), b"--", _encoded("path", path), *_assignments(xacro_arguments)]
     with _at_work():
         return json.loads(_core.run(program, words, look))
 
@@ -316,6 +319,16 @@ def _words(program: str, options: Dict[str, Any]) -> List[bytes]:
         elif _is_set(keyword, value):
             words.append(option)
     return words
+
+
+def _assignments(values: Optional[Mapping[str, Any]]) -> List[bytes]:
+    """NAME:=VALUE, as xacro takes it."""
+    if not isinstance(values or {}, Mapping):
+        raise Error(f'xacro_arguments {values!r} is not understood: it takes a dict, as in {{"hand": True}}', "BadOption")
+    for name in values or {}:
+        if not isinstance(name, str) or not re.fullmatch(r"\w[^:/\s]*", name):
+            raise Error(f"xacro_arguments has the name {name!r}, which no argument can have; give one such as 'hand'", "BadOption")
+    return [_encoded(f"xacro_arguments[{name!r}]", f"{name}:={value}") for name, value in (values or {}).items()]
 
 
 def _known_options(program: str) -> Dict[str, Tuple[bytes, bool, bool]]:

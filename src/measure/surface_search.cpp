@@ -134,17 +134,23 @@ class Search {
       double radius = 0;
       for (const Corner& v : patch.corner) radius = std::max(radius, (v.p - c).norm());
       const TriangleBvh::Nearest n = solid_.surface().nearest(c, std::numeric_limits<double>::infinity(), patch.corner[0].triangle);
-      const double outside = solid_.signedDistance(c, n.distance);
-      if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
       level.add(n.triangle);
-      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), level.value()});
-      if (patch.bound > threshold() && goesInside(patch, c, radius, outside, n)) patch.bound = farthest();
+      patch.bound = std::min({patch.bound, n.distance + radius, level.value()});
+      if (patch.bound > dropped_ || n.distance > std::max(best_.found, query_.floor)) boundBySide(patch, c, radius, n);
       if (patch.bound > threshold()) patch.bound = std::min(patch.bound, solid_.heightAboveSheet(corners, n, kSlack * query_.gap));
     }
     if (patch.bound > threshold())
       queue_.push(patch);
     else
       dropped_ = std::max(dropped_, patch.bound);
+  }
+
+  /// Bounds a patch about c by the side of the surface that c is on. That takes long to tell: only where it makes a difference.
+  void boundBySide(Patch& patch, const Eigen::Vector3d& c, double radius, const TriangleBvh::Nearest& n) {
+    const double outside = solid_.signedDistance(c, n.distance);
+    if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
+    patch.bound = std::min(patch.bound, std::max(0.0, outside + radius));
+    if (patch.bound > threshold() && goesInside(patch, c, radius, outside, n)) patch.bound = farthest();
   }
 
   /// Whether every point of the patch about c has a point of the solid within farthest(), because all of the patch is inside once it is

@@ -31,7 +31,8 @@ bool isRobotFile(const std::string& path) {
 Input robotInput(const std::string& path, const InputOptions& options, const RunControl& control) {
   Input input;
   input.find_package = defaultPackageFinder(path, options.package_path);
-  input.robot = readRobotDescription(path, control, options.package_path, options.xacro_arguments);
+  const bool ignores = options.may_ignore_arguments && lowerExtension(path) != ".xacro";
+  input.robot = readRobotDescription(path, control, options.package_path, ignores ? std::vector<std::string>() : options.xacro_arguments);
   return input;
 }
 
@@ -52,7 +53,7 @@ Input fileInput(const std::string& path, const InputOptions& options, const RunC
                     extension + "', which is not supported" + (use.empty() ? "" : " here (fit_scene " + taken + use + ")") +
                     "; give a .urdf or .xacro file for a robot, or a mesh (" + listed(meshExtensions(), " ") + ")");
   }
-  checkTakesArguments(path, options.xacro_arguments);
+  if (!options.may_ignore_arguments) checkTakesArguments(path, options.xacro_arguments);
   Input input;
   input.kind = Input::Kind::kMesh;
   input.path = path;

@@ -16,6 +16,7 @@ RobotResult emptyResult(const RobotDescription& robot, const Options& options, c
   RobotResult result;
   result.robot_name = robot.name;
   result.report.input_path = robot.path;
+  result.report.xacro_arguments = robot.xacro_arguments;
   result.report.input_sha256 = sha256(robot.text, control);
   result.report.options = options;
   result.report.urdf = urdfFile(robot.name);

@@ -245,11 +245,17 @@ void writeRows(const std::vector<ElementReport>& rows, std::size_t depth, const 
   place += indented.size();
 }
 
+json inputToJson(const Report& report) {
+  json input = {{"path", report.input_path}, {"sha256", report.input_sha256}};
+  if (!report.xacro_arguments.empty()) input["xacro_arguments"] = report.xacro_arguments;
+  return input;
+}
+
 }  // namespace
 
 std::string toJson(const Report& report, const RunControl& control) {
   json document = {{"collision_hulls", version()},
-                   {"input", {{"path", report.input_path}, {"sha256", report.input_sha256}}},
+                   {"input", inputToJson(report)},
                    {"options", toJson(report.options)},
                    {"seed", report.options.seed},
                    {"links", json::array()},

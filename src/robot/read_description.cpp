@@ -44,7 +44,9 @@ std::string insteadOf(const std::string& path) {
 RobotDescription readXacro(const std::string& path, const std::string& text, const RunControl& control,
                            const std::vector<std::string>& package_path, const std::vector<std::string>& arguments) {
   try {
-    return parseRobotDescription(expandXacro(path, arguments, package_path, control), path, control);
+    RobotDescription robot = parseRobotDescription(expandXacro(path, arguments, package_path, control), path, control);
+    robot.xacro_arguments = arguments;
+    return robot;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kNoLinks) throw;
     const bool has_macros = text.find("<xacro:macro") != std::string::npos;

@@ -30,7 +30,7 @@ void fields(Archive& archive, JointDescription& joint) {
 
 template <typename Archive>
 void fields(Archive& archive, RobotDescription& robot) {
-  auto& [name, text, path, links, joints, notes] = robot;
+  auto& [name, text, path, links, joints, notes, xacro_arguments] = robot;  // xacro was called here
   archive(name, links, joints, notes);
 }
 

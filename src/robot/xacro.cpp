@@ -28,6 +28,7 @@ namespace {
 // How much of xacro's own messages is quoted: the end, which has the reason.
 constexpr std::size_t kMostQuoted = 2000;
 constexpr std::size_t kMostArguments = 20;    // that are asked for one by one
+constexpr std::size_t kLongestName = 200;     // of an argument, in a message
 constexpr std::size_t kMostNames = 12;        // of arguments that a file has, in a message
 constexpr std::size_t kLongestPath = 64'000;  // [bytes] of ROS_PACKAGE_PATH: the kernel takes twice as much
 
@@ -141,12 +142,16 @@ class Expansion {
 
   static std::string nameOf(const std::string& argument) { return argument.substr(0, argument.find(kAssigns)); }
 
+  /// Refuses what xacro would drop, mostly without a word.
   void check() const {
     std::set<std::string> names;
     for (const std::string& argument : arguments_) {
-      const std::string name = nameOf(argument);
-      if (argument.find(kAssigns) == std::string::npos || name.empty() || name.front() == '-')
+      const std::string name = nameOf(argument), value = argument.substr(std::min(argument.size(), name.size() + 2));
+      if (argument.find(kAssigns) == std::string::npos || name.empty() || name.front() == '-' || name.front() == '_')
         throw Error(ErrorCode::kBadOption, "'" + argument + "' is no argument for xacro: give NAME:=VALUE, as in prefix:=left_");
+      if (trimmed(value, " \t\n").empty() || value.find(kAssigns) != std::string::npos)
+        throw Error(ErrorCode::kBadOption, "'" + argument + "' has a value that xacro does not take (it is empty, or holds " + kAssigns +
+                                               "), and the default of '" + name + "' would count: change the default in the file");
       if (!names.insert(name).second)
         throw Error(ErrorCode::kBadOption, "the argument '" + name + "' for xacro is given twice; leave one of them out");
     }
@@ -174,14 +179,15 @@ class Expansion {
     return missing;
   }
 
-  /// What to do about arguments: give their values, or expand the file beside itself, as relative paths then still lead to its meshes.
+  /// What to do about arguments: give their values, which a scene's file does not take, or expand the file beside itself, as relative paths
+  /// then still lead to its meshes.
   std::string giving(const std::vector<std::string>& names) const {
     std::string added, words;
     for (const std::string& argument : arguments_) words += " " + shellWord(argument);
     for (const std::string& name : names) added += " " + shellWord(name + kAssigns + "VALUE");
     const fs::path file = file_.lexically_normal();
-    return "add" + added + " to the command (decompose, fit_scene and verify take that), or run\n  xacro " + shellWord(file.string()) +
-           words + added + " > " + shellWord(freeUrdfBeside(file)) + "\nand give the .urdf";
+    return "where it is the robot of decompose, fit_scene or verify, add" + added + " to the command; else run\n  xacro " +
+           shellWord(file.string()) + words + added + " > " + shellWord(freeUrdfBeside(file)) + "\nand give the .urdf";
   }
 
   /// The error of a file that xacro did not expand, and what helps against it.
@@ -216,44 +222,44 @@ class Expansion {
                                            "NAME:=VALUE):\n" + trimmed(xacro.errors.substr(skipped), " \n"));
   }
 
-  /// The arguments that a file declares or uses.
-  std::set<std::string> namesIn(const std::string& file) const {
+  /// Adds the arguments that a file declares or uses. False: not all of them can be told, as names are computed.
+  bool addNames(const std::string& file, std::set<std::string>& names) const {
     const std::string text = readTextFile(file, ".xacro file", control_), use = "$(arg ";
-    std::set<std::string> names;
+    if (text.find("xacro.arg(") != std::string::npos || text.find("$(eval") != std::string::npos) return false;
     addDeclared(parseXml(text, file, control_), names);
-    for (std::size_t at = text.find(use); at != std::string::npos; at = text.find(use, at + 1)) {
+    for (std::size_t at = text.find(use), end = 0; at != std::string::npos; at = text.find(use, end)) {
       const std::size_t begin = at + use.size();
-      names.insert(trimmed(text.substr(begin, text.find(')', begin) - begin), " "));
+      end = std::min(text.find_first_of(")\n$", begin), text.size());
+      if (end < text.size() && text[end] == '$') return false;
+      names.insert(trimmed(text.substr(begin, std::min(end - begin, kLongestName)), " "));
     }
-    return names;
+    return true;
   }
 
-  /// Refuses arguments that change nothing, as misspelt ones do. Names that only come about in macros are beyond this look, so a name that
-  /// some file has in any place is let through.
+  /// Refuses arguments that change nothing, as misspelt ones do, where the names of all can be told.
   void checkNames() const {
-    const auto unknown_among = [&](const std::set<std::string>& names) {
+    std::set<std::string> names;
+    const auto unknown = [&] {
       return std::find_if(arguments_.begin(), arguments_.end(), [&](const std::string& a) { return names.count(nameOf(a)) == 0; });
     };
-    std::set<std::string> names = namesIn(file_.string());
-    if (unknown_among(names) == arguments_.end()) return;
-    const std::optional<ProgramResult> listed_files = run({"--deps"});
-    if (!listed_files || listed_files->status != 0) return;
-    std::istringstream files(listed_files->out);
-    for (std::string file; files >> file;) {
-      try {
-        names.merge(namesIn(file));
-      } catch (const Error& error) {
-        if (error.code() == ErrorCode::kCancelled) throw;
-        return;  // such as a name with a blank, which the list does not tell from two
-      }
+    try {
+      if (arguments_.empty() || !addNames(file_.string(), names) || unknown() == arguments_.end()) return;
+      const std::optional<ProgramResult> listed_files = run({"--deps"});
+      if (!listed_files || listed_files->status != 0) return;
+      std::istringstream files(listed_files->out);
+      for (std::string file; files >> file;)
+        if (lowerExtension(file) != ".yaml" && lowerExtension(file) != ".yml" && !addNames(file, names)) return;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled) throw;
+      return;  // such as a name with a blank, which the list does not tell from two
     }
-    const auto unknown = unknown_among(names);
-    if (unknown == arguments_.end()) return;
-    std::vector<std::string> known(names.begin(), names.end());
-    const std::string name = nameOf(*unknown), meant = didYouMean(name, known);
+    const auto lost = unknown();
+    if (lost == arguments_.end()) return;
+    const std::vector<std::string> known(names.begin(), names.end());
+    const std::string name = nameOf(*lost), meant = didYouMean(name, known);
     throw Error(ErrorCode::kBadOption,
                 "neither '" + path_ + "' nor a file that it includes has an argument '" + name + "'" +
-                    (known.empty() ? "; leave out " + shellWord(*unknown)
+                    (known.empty() ? "; leave out " + shellWord(*lost)
                                    : (meant.empty() ? "; they have " : meant + " They have ") + listedFirst(known, kMostNames)));
   }
 

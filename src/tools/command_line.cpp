@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <utility>
@@ -141,6 +142,7 @@ void CommandLine::hide(const std::vector<std::string>& names) {
 }
 
 bool CommandLine::parse(int argc, const char* const* argv) {
+  path_ = argv[0];
   given_ = split(argc, argv);
   if (given_.count("help")) return std::cout << help(), false;
   if (given_.count("version")) return printVersion(program_), false;
@@ -175,6 +177,15 @@ std::map<std::string, std::pair<bool, bool>> CommandLine::takesValue() const {
   for (const auto& option : options_)
     if (!option->positional_) takes[option->name_] = {option->takes_value_, option->repeatable_};
   return takes;
+}
+
+std::string CommandLine::call() const {
+  if (path_.find('/') == std::string::npos) return program_;
+  const char* const spaces = std::getenv("CMAKE_PREFIX_PATH");
+  std::istringstream all(spaces ? spaces : "");
+  for (std::string space; std::getline(all, space, ':');)
+    if (path_ == space + "/lib/collision_hulls/" + program_) return "rosrun collision_hulls " + program_;
+  return shellWord(path_);
 }
 
 /// Whether a word is one of the long options. Boost would take it for the value of the option before.
@@ -251,8 +262,10 @@ std::string CommandLine::nearest(const std::string& unknown) const {
   return didYouMean("--" + unknown.substr(std::min(unknown.find_first_not_of('-'), unknown.size())), names);
 }
 
-std::string CommandLine::forXacro(const std::string& argument) {
+std::string CommandLine::forXacro(const std::string& argument) const {
   if (argument.find(":=") == std::string::npos) return "";
+  if (std::any_of(options_.begin(), options_.end(), [](const auto& option) { return option->assigns_; }))
+    return ": an argument for xacro is NAME:=VALUE, as in prefix:=left_";
   return ": give it to xacro itself, as in 'xacro FILE.xacro " + argument + " > FILE.urdf', and give the .urdf";
 }
 

@@ -86,6 +86,9 @@ class CommandLine {
 
   const std::string& get_name() const { return program_; }
 
+  /// How a shell calls the program as parse() was called: "decompose", "rosrun collision_hulls decompose", or its path.
+  std::string call() const;
+
  private:
   using Texts = std::vector<std::string>;
 
@@ -93,7 +96,7 @@ class CommandLine {
   std::map<std::string, Texts> split(int argc, const char* const* argv) const;
   void deal(const Texts& words, std::map<std::string, Texts>& given) const;
   [[noreturn]] void refuse(const std::string& problem) const;
-  static std::string forXacro(const std::string& argument);  ///< what to do with NAME:=VALUE
+  std::string forXacro(const std::string& argument) const;  ///< what to do with NAME:=VALUE
   std::string nearest(const std::string& unknown) const;
   bool isOption(const std::string& word) const;
   void apply(const Option& option, const Texts& texts) const;
@@ -103,7 +106,7 @@ class CommandLine {
   static bool setNumber(const std::string& text, T& value);
   static bool setNumber(const std::string& text, double& value);
 
-  std::string purpose_, program_, footer_;
+  std::string purpose_, program_, footer_, path_;
   std::vector<std::unique_ptr<Option>> options_;
   std::map<std::string, Texts> given_;
 };

@@ -83,7 +83,7 @@ void interpret(Command& command) {
 }
 
 Input robotOf(const Command& command) {
-  Input input = openInput(command.robot, {command.package_path, {}, "plan_benchmark"});
+  Input input = openInput(command.robot, {command.package_path, {}, false, "plan_benchmark"});
   if (input.kind == Input::Kind::kRobot) return input;
   throw Error(ErrorCode::kBadOption, "'" + command.robot + "' is a mesh, and only a robot can plan; give a robot description or a package");
 }

@@ -193,7 +193,8 @@ inline void checkSuits(const Input& input, const RobotCommand& command) {
 inline Input opened(const RobotCommand& command, const RunControl& control) {
   const bool is_quick = lowerExtension(command.input) == ".urdf" || isMeshFile(command.input);
   if (!command.quiet && !is_quick) std::cerr << "opening '" << command.input << "'\n";
-  Input input = openInput(command.input, {command.package_path, command.xacro_arguments, command.program, command.line->given()}, control);
+  Input input = openInput(command.input,
+                          {command.package_path, command.xacro_arguments, false, command.line->call(), command.line->given()}, control);
   checkSuits(input, command);
   return input;
 }

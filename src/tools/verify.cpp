@@ -6,7 +6,6 @@
 #include "base/counted.h"
 #include "base/in_context.h"
 #include "base/shell_word.h"
-#include "base/string_parts.h"
 #include "collision_hulls/pipeline/input.h"
 #include "decompose_options.h"
 #include "report/largest_tolerance.h"
@@ -43,7 +42,7 @@ void addOptions(CommandLine& app, Command& command) {
       ->type_name("")
       ->required();
   app.add_option("RESULT", command.result, "Its collision model, likewise")->type_name("")->required();
-  addXacroArguments(app, command.xacro_arguments, "ORIGINAL, and of RESULT");
+  addXacroArguments(app, command.xacro_arguments, "ORIGINAL and RESULT");
   const auto add = [&](const std::string& name, std::string& value, const std::string& type, const std::string& help,
                        const std::string& group) {
     app.add_option(name, value, help)->type_name(type)->group(group)->check(notEmpty("a value"));
@@ -153,16 +152,18 @@ void print(const Verification& seen, const Command& command, const RunControl& c
               << "; the notes name some\n";
 }
 
-int run(Command& command, const std::string& given) {
+int run(Command& command, const CommandLine& line) {
   static RunControl control;  // a signal may come until the program ends
   cancelOnSignals(control);
   interpret(command);
   if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json), checkHoldsReport(command.json); });
-  const std::string before = "verify " + shellWord(command.original), after = shellWord(command.result) + " " + given;
-  const bool is_expanded = lowerExtension(command.result) == ".xacro" || command.result == command.original;
-  const std::vector<std::string> arguments = is_expanded ? command.xacro_arguments : std::vector<std::string>();
-  const Input original = openInput(command.original, {command.package_path, command.xacro_arguments, "verify", after}, control);
-  const Input result = openInput(command.result, {command.package_path, arguments, before, given}, control);
+  const std::string given = line.given(), before = line.call() + " " + shellWord(command.original),
+                    after = shellWord(command.result) + " " + given;
+  const Input original = openInput(command.original, {command.package_path, command.xacro_arguments, true, line.call(), after}, control);
+  const Input result = openInput(command.result, {command.package_path, command.xacro_arguments, true, before, given}, control);
+  if (original.robot.xacro_arguments.empty() && result.robot.xacro_arguments.empty() && !command.xacro_arguments.empty())
+    throw Error(ErrorCode::kBadOption, "'" + command.xacro_arguments.front() + "' is an argument for xacro, but neither '" +
+                                           command.original + "' nor '" + command.result + "' is a .xacro file; leave it out");
   checkSameKind(original, result);
   if (!command.quiet) std::cerr << "comparing '" << command.original << "' with '" << command.result << "'\n";
   const Description of_original = described(original);
@@ -181,7 +182,7 @@ int main(int argc, char** argv) {
   CommandLine app("Measures how well one description's collision geometry covers another's shape, whoever made it.", "verify");
   app.footer(kFooter);
   addOptions(app, command);
-  return runTerminalProgram(app, argc, argv, [&] { return run(command, app.given()); });
+  return runTerminalProgram(app, argc, argv, [&] { return run(command, app); });
 }
 
 }  // namespace

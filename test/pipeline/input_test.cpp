@@ -192,7 +192,7 @@ TEST_F(OpenInput, CommandsKeepTheUsersOptionsAndAreADozen) {
   addPackage("many_description");
   for (int i = 10; i < 25; ++i) addRobot("many_description/urdf/r" + std::to_string(i) + ".urdf");
   try {
-    openInput("many_description", {{}, {}, "verify a.urdf", "--quiet --json -"});
+    openInput("many_description", {{}, {}, false, "verify a.urdf", "--quiet --json -"});
     ADD_FAILURE();
   } catch (const Error& e) {
     const std::string text = e.what(), folder = folder_ / "many_description/urdf/";

@@ -37,9 +37,6 @@ TEST(ReadDescription, NamesTheFileThatIsNotXml) {
               [&] { readRobotDescription(folder.write("a.urdf", "<robot>\n<a</robot>")); });
 }
 
-// xacro names one argument at a time.
-// xacro appends a blank where the argument stands in a property.
-// xacro takes no argument without one, even if it gets a value, and does not say which argument it is.
 TEST(ReadDescription, XacroOfMacrosAloneNamesTheFilesThatCallThem) {
   const TemporaryFolder folder;
   writeProgram(folder, "xacro", "echo '<robot/>'");

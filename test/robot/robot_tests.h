@@ -13,6 +13,7 @@
 #include <string>
 
 #include "collision_hulls/error.h"
+#include "scoped_variable.h"
 
 namespace collision_hulls {
 
@@ -49,22 +50,6 @@ class TemporaryFolder {
 
  private:
   std::string path_;
-};
-
-/// Sets an environment variable for as long as it lives.
-class ScopedVariable {
- public:
-  ScopedVariable(const char* name, const std::string& value) : name_(name) {
-    if (const char* old = std::getenv(name)) old_ = old;
-    setenv(name, value.c_str(), 1);
-  }
-  ~ScopedVariable() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
-  ScopedVariable(const ScopedVariable&) = delete;
-  ScopedVariable& operator=(const ScopedVariable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> old_;
 };
 
 inline std::string readFile(const std::string& path) {

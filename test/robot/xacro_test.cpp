@@ -70,7 +70,7 @@ TEST(Xacro, LacksAnArgument) {
   const std::string file = folder.write("my arm.urdf.xacro", kUrdf), short_name = folder.write("arm.xacro", kUrdf);
   expectError(ErrorCode::kNotARobot,
               {"'" + file + "' needs a value for the argument 'prefix', which '/ws/hand.xacro' uses", "has no default",
-               ": add prefix:=VALUE to the command (decompose, fit_scene and verify take that), or run\n",
+               ": where it is the robot of decompose, fit_scene or verify, add prefix:=VALUE to the command; else run\n",
                "\n  xacro '" + file + "' prefix:=VALUE > '" + folder.path("my arm.urdf") + "'\nand give the .urdf"},
               [&] { readRobotDescription(file); });
   expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
@@ -78,6 +78,7 @@ TEST(Xacro, LacksAnArgument) {
   expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm_2.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
 }
 
+// xacro names one argument at a time.
 TEST(Xacro, LacksSeveralArguments) {
   const TemporaryFolder folder;
   writeProgram(
@@ -94,6 +95,7 @@ TEST(Xacro, LacksSeveralArguments) {
       [&] { readRobotDescription(folder.path("urdf") + "/../arm.xacro"); });
 }
 
+// xacro appends a blank where the argument stands in a property.
 TEST(Xacro, LacksAnArgumentOfAnExpression) {
   const TemporaryFolder folder;
   writeProgram(folder, "xacro", "printf \"error: Undefined substitution argument prefix \\nwhen evaluating expression 'p'\" >&2; exit 2");
@@ -102,6 +104,7 @@ TEST(Xacro, LacksAnArgumentOfAnExpression) {
               [&] { readRobotDescription(folder.write("arm.xacro", kUrdf)); });
 }
 
+// xacro takes no argument without one, even if it gets a value, and does not say which argument it is.
 TEST(Xacro, LacksADefault) {
   const TemporaryFolder folder;
   const std::string hand = folder.write("hand.xacro",
@@ -113,11 +116,11 @@ TEST(Xacro, LacksADefault) {
   const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
   const std::string file = folder.write("arm.xacro", kUrdf);
   fail(hand);
-  expectError(ErrorCode::kNotARobot,
-              {"'" + file + "' cannot be expanded: the argument 'side' in '" + hand + "' has no default", "Add default=\"\"",
-               "then add side:=VALUE to the command",
-               "run\n  xacro " + file + " side:=VALUE > " + folder.path("arm.urdf") + "\nand give the .urdf"},
-              [&] { readRobotDescription(file); });
+  expectError(
+      ErrorCode::kNotARobot,
+      {"'" + file + "' cannot be expanded: the argument 'side' in '" + hand + "' has no default", "Add default=\"\"",
+       "add side:=VALUE to the command", "run\n  xacro " + file + " side:=VALUE > " + folder.path("arm.urdf") + "\nand give the .urdf"},
+      [&] { readRobotDescription(file); });
   fail(folder.path("gone.xacro"));
   expectError(ErrorCode::kNotARobot, {"the argument 'NAME' in '" + folder.path("gone.xacro"), " NAME:=VALUE > "},
               [&] { readRobotDescription(file); });
@@ -170,7 +173,7 @@ class XacroArguments : public ::testing::Test {
 
 TEST_F(XacroArguments, GoToXacroInTheirOrder) {
   EXPECT_EQ(nameWith({}), "given ");
-  EXPECT_EQ(nameWith({"side:=a b", "prefix:=:="}), "given side:=a b prefix:=:=");
+  EXPECT_EQ(nameWith({"side:=a b", "prefix:=:"}), "given side:=a b prefix:=:");
 }
 
 TEST_F(XacroArguments, OfFilesThatAreIncluded) {
@@ -190,14 +193,36 @@ TEST_F(XacroArguments, AreTakenWhereNotAllFilesCanBeRead) {
   EXPECT_EQ(nameWith({"colour:=red"}), "given colour:=red");
 }
 
+TEST_F(XacroArguments, AreTakenWhereNamesAreComputed) {
+  for (const char* const name : {"$(arg ${side}_hand)", "${xacro.arg('left_hand')}", "$(eval arg('left_hand'))"}) {
+    arm_ = folder_.write("computed.xacro", "<robot xmlns:xacro='x'><a b=\"" + std::string(name) + "\"/></robot>");
+    EXPECT_EQ(nameWith({"left_hand:=1"}), "given left_hand:=1") << name;
+  }
+}
+
+TEST_F(XacroArguments, AreLookedForBesideFilesThatAreNoXml) {
+  const ScopedVariable files("FILES", hand_ + " " + folder_.write("limits.yaml", "a: 1"));
+  expectRefused({"colour:=red"}, {"'colour'; they have fingers, prefix, side"});
+}
+
+TEST_F(XacroArguments, AFileOfManyThatDoNotEnd) {
+  std::string uses;
+  for (int i = 0; i < 50'000; ++i) uses += "$(arg a";
+  arm_ = folder_.write("many.xacro", "<robot xmlns:xacro='x'><!-- " + uses + " -->\n</robot>");
+  EXPECT_EQ(nameWith({"colour:=red"}), "given colour:=red");
+}
+
 TEST_F(XacroArguments, OfAFileThatHasNone) {
   arm_ = folder_.write("bare.xacro", kUrdf);
   expectRefused({"a:=b c"}, {"has an argument 'a'; leave out 'a:=b c'"});
 }
 
 TEST_F(XacroArguments, OfAnotherForm) {
-  for (const char* const argument : {"prefix", "prefix=a", ":=a", "--inorder:=1"})
+  for (const char* const argument : {"prefix", "prefix=a", ":=a", "--inorder:=1", "_p:=1"})
     expectRefused({argument}, {"'" + std::string(argument) + "' is no argument for xacro: give NAME:=VALUE"});
+  for (const char* const argument : {"prefix:=", "prefix:= ", "prefix:=a:=b"})
+    expectRefused({argument},
+                  {"'" + std::string(argument) + "' has a value that xacro does not take", "the default of 'prefix' would count"});
   expectRefused({"prefix:=a", "prefix:=b"}, {"'prefix'", "given twice"});
 }
 
@@ -208,7 +233,7 @@ TEST_F(XacroArguments, OfAnotherFile) {
 
 TEST_F(XacroArguments, AreInTheCommandsThatMessagesPropose) {
   writeProgram(folder_, "xacro", "case \"$*\" in *side:=*) exit 1 ;; esac\necho 'Undefined substitution argument side' >&2; exit 2");
-  expectError(ErrorCode::kNotARobot, {"add side:=VALUE to", "\n  xacro " + arm_ + " 'prefix:=a b' side:=VALUE > "},
+  expectError(ErrorCode::kNotARobot, {"add side:=VALUE to the command; else", "\n  xacro " + arm_ + " 'prefix:=a b' side:=VALUE > "},
               [&] { nameWith({"prefix:=a b"}); });
 }
 

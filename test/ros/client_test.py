@@ -137,10 +137,10 @@ class ClientTest(unittest.TestCase):
                 self.assertEqual((2, ""), (status, out))
                 self.assertIn("robot.xacro' is a xacro file, but 'xacro' is not on PATH", err)
         with open(self.folder.file("xacro"), "w", encoding="utf-8") as file:
-            file.write("#!/bin/sh\nsed 's/<VISUAL>/<visual>/g' \"$1\"\n")
+            file.write('#!/bin/sh\n[ "$2" = "side:=a b" ] || exit 3\nsed "s/<VISUAL>/<visual>/g" "$1"\n')
         os.chmod(self.folder.file("xacro"), 0o755)
         with mock.patch.dict(os.environ, PATH=self.folder.path + ":" + os.environ["PATH"]):
-            status, out, err = self.run_client(self.folder.file("robot.xacro"), "-o", self.folder.output)
+            status, out, err = self.run_client(self.folder.file("robot.xacro"), "side:=a b", "-o", self.folder.output)
         self.assertEqual(0, status, err)
         self.assertIn("bracket.obj", out)
 

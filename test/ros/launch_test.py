@@ -90,7 +90,7 @@ class LaunchTest(unittest.TestCase):
                                 ("robot:=nowhere.xacro", "nowhere.xacro' does not exist"), ("robot:=folder", "folder' is a folder; give"),
                                 ("robot:=box.stl", "box.stl' is no text"),
                                 ("xacro_args:=a=b", "robot.urdf' is not a .xacro file, and takes no argument 'a=b'; leave out xacro_args"),
-                                ("xacro_args:=a", "robot.urdf' cannot be given 'a': xacro_args takes NAME=VALUE")):
+                                ("xacro_args:=a", "robot.urdf' cannot be given 'a': xacro_args takes NAME=VALUE"), ("xacro_args:=a=", "cannot be given 'a='")):
             with self.launched("decompose.launch", argument) as nodes:
                 self.assertNotEqual(0, nodes.wait(30))
             self.assertIn(words, self.log())

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "collision_hulls/error.h"
+#include "scoped_variable.h"
 
 namespace collision_hulls {
 namespace {
@@ -156,8 +157,20 @@ TEST(CommandLine, TheLastArgumentTakesAllThatAreLeft) {
 
 TEST_F(AssignmentsTest, DoNotStandForOtherArguments) {
   expectRefused({"a:=1"}, "INPUT is required");
-  expectRefused({"in", ":=1"},
-                "unexpected argument ':=1': give it to xacro itself, as in 'xacro FILE.xacro :=1 > FILE.urdf', and give the .urdf");
+  expectRefused({"in", ":=1"}, "unexpected argument ':=1': an argument for xacro is NAME:=VALUE, as in prefix:=left_");
+}
+
+TEST_F(CommandLineTest, HowItWasCalled) {
+  const auto called_as = [&](const char* path) {
+    const std::array<const char*, 2> arguments{path, "in"};
+    EXPECT_TRUE(line_.parse(2, arguments.data()));
+    return line_.call();
+  };
+  const ScopedVariable spaces("CMAKE_PREFIX_PATH", "/opt/ros/noetic:/home/me/my ws/devel");
+  EXPECT_EQ(called_as("program"), "program");
+  EXPECT_EQ(called_as("/home/me/my ws/devel/lib/collision_hulls/program"), "rosrun collision_hulls program");
+  EXPECT_EQ(called_as("/home/me/my ws/build/lib/collision_hulls/program"), "'/home/me/my ws/build/lib/collision_hulls/program'");
+  EXPECT_EQ(called_as("./program"), "./program");
 }
 
 TEST_F(CommandLineTest, HelpAndVersionNeedNothingElse) {

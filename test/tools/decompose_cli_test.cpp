@@ -80,7 +80,12 @@ TEST_F(DecomposeProgram, ArgumentsForXacroFollowTheInput) {
   for (const char* const name : {"arm.xacro", "hand.xacro"})
     fixtures::write(folder_ / ("two/urdf/" + std::string(name)), "<robot name='a'><link name='b'/></robot>");
   fixtures::write(folder_ / "two/package.xml", "<package><name>two</name></package>");
-  expectWrongUse("two 'side:=my left' --quiet", {"\n  decompose two/urdf/hand.xacro 'side:=my left' --quiet\n"});
+  fixtures::write(folder_ / "one.xacro", fixtures::read(folder_ / "arm/urdf/arm.urdf") + "<!-- $(arg side) -->");
+  fixtures::write(folder_ / "bin/xacro", "#!/bin/sh\nexec cat \"$1\"\n");
+  const std::string run_xacro = "chmod +x bin/xacro; PATH=$PWD/bin:$PATH; ";
+  run("one.xacro side:=left -o made --json r.json -m bounding_box --no-validate --quiet", run_xacro);
+  EXPECT_EQ(json::parse(fixtures::read(folder_ / "r.json"))["input"]["xacro_arguments"], json({"side:=left"}));
+  expectWrongUse("two 'side:=my left' --quiet", {"decompose two/urdf/hand.xacro 'side:=my left' --quiet\n"});
 }
 
 TEST_F(DecomposeProgram, UnreadableInput) {

@@ -102,6 +102,7 @@ struct ModelReport {
 
 struct Report : ModelReport {
   std::string input_path, input_sha256;
+  std::vector<std::string> xacro_arguments;  ///< that the input was expanded with
   Options options;
   std::vector<ModelReport> models;  ///< the others, if there are several
   std::vector<std::string> files;   ///< of the output beside those of the links and report.json

@@ -73,7 +73,8 @@ struct RobotDescription {
   std::vector<LinkDescription> links;  ///< in document order
   /// a link's own joint to its parent; parents before children
   std::vector<JointDescription> joints = {};
-  std::vector<std::string> notes = {};  ///< what is odd about it, though it can be read
+  std::vector<std::string> notes = {};            ///< what is odd about it, though it can be read
+  std::vector<std::string> xacro_arguments = {};  ///< that it was expanded with
 };
 
 /// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative

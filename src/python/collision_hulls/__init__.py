@@ -323,12 +323,16 @@ def _words(program: str, options: Dict[str, Any]) -> List[bytes]:
 
 def _assignments(values: Optional[Mapping[str, Any]]) -> List[bytes]:
     """NAME:=VALUE, as xacro takes it."""
-    if not isinstance(values or {}, Mapping):
+    if values is None:
+        return []
+    if not isinstance(values, Mapping):
         raise Error(f'xacro_arguments {values!r} is not understood: it takes a dict, as in {{"hand": True}}', "BadOption")
-    for name in values or {}:
-        if not isinstance(name, str) or not re.fullmatch(r"\w[^:/\s]*", name):
+    for name, value in values.items():
+        if not isinstance(name, str) or not re.fullmatch(r"[^\W_][^:/\s]*", name):
             raise Error(f"xacro_arguments has the name {name!r}, which no argument can have; give one such as 'hand'", "BadOption")
-    return [_encoded(f"xacro_arguments[{name!r}]", f"{name}:={value}") for name, value in (values or {}).items()]
+        if not isinstance(value, (str, bool, int, float)):
+            raise Error(f"xacro_arguments[{name!r}] is {value!r}; give a text, a number, True or False", "BadOption")
+    return [_encoded(f"xacro_arguments[{name!r}]", f"{name}:={value}") for name, value in values.items()]
 
 
 def _known_options(program: str) -> Dict[str, Tuple[bytes, bool, bool]]:

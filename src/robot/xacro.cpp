@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t kMostQuoted = 2000;
 constexpr std::size_t kMostArguments = 20;    // that are asked for one by one
 constexpr std::size_t kLongestName = 200;     // of an argument, in a message
-constexpr std::size_t kMostNames = 12;        // of arguments that a file has, in a message
+constexpr std::size_t kMostNamesShown = 12;   // of arguments that a file has, in a message
 constexpr std::size_t kLongestPath = 64'000;  // [bytes] of ROS_PACKAGE_PATH: the kernel takes twice as much
 
 const char* const kAssigns = ":=";
@@ -260,7 +260,7 @@ class Expansion {
     throw Error(ErrorCode::kBadOption,
                 "neither '" + path_ + "' nor a file that it includes has an argument '" + name + "'" +
                     (known.empty() ? "; leave out " + shellWord(*lost)
-                                   : (meant.empty() ? "; they have " : meant + " They have ") + listedFirst(known, kMostNames)));
+                                   : (meant.empty() ? "; they have " : meant + " They have ") + listedFirst(known, kMostNamesShown)));
   }
 
   const std::string& path_;

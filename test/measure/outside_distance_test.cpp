@@ -102,6 +102,20 @@ TEST(OutsideDistance, ACellBeyondTheSurfaceDoesNotInheritTheSide) {
   }
 }
 
+// Cells that the floor dismisses have no side, and may lie outside.
+TEST(OutsideDistance, WhatIsDismissedIsNotKnownToBeWithinLess) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  const Vector3d half(0.5, 0.5, 0.5), reach(0.65, 0.65, 0.65);
+  OutsideDistance outside(solid, {Vector3d(-half), Vector3d(3 * half)});
+  outside.largest(boxHull(half - reach, half + reach), query(0.3, 0.01));
+  for (const double y : {0.56, 0.69})
+    for (const double z : {0.56, 0.69}) {
+      const std::array<Vector3d, 3> beside{Vector3d(1.14, y, z), Vector3d(1.14, y + 0.01, z), Vector3d(1.14, y, z + 0.01)};
+      EXPECT_TRUE(outside.isWithin(beside, 0.3));
+      EXPECT_FALSE(outside.isWithin(beside, 0.13));
+    }
+}
+
 // Over a sheet, in a cube that fills the octree's root, distances are at most 0.5. What is known from a search that did not care up to a
 // little more is no more than that.
 TEST(OutsideDistance, WhatIsLevelWithinADistanceIsNotKnownToBeWithinLess) {

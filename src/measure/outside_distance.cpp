@@ -287,10 +287,11 @@ void OutsideDistance::boundByChildren(int id) {
     most = std::max(most, knownBound(child));
     summits = std::max(summits, summitBound(child));
   };
+  const auto lacks_side = [&](int child) { return at(child).triangle >= 0 && std::isnan(at(child).distance); };
   for (int k = first; k < first + 8; ++k)
-    if (!std::isnan(at(k).distance) || at(k).triangle < 0) add(k);
+    if (!lacks_side(k)) add(k);
   for (int k = first; k < first + 8; ++k) {
-    if (!std::isnan(at(k).distance) || at(k).triangle < 0) continue;
+    if (!lacks_side(k)) continue;
     const bool matters = (most < cell.level && knownBound(k) > most) || (summits < cell.summits && summitBound(k) > summits);
     if (matters) tellSide(k, id);
     add(k);

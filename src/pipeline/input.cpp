@@ -150,14 +150,13 @@ std::string meantBy(const fs::path& file) {
 }  // namespace
 
 Input openInput(const std::string& input, const InputOptions& options, const RunControl& control) {
-  const PackageFinder find_package = defaultPackageFinder("", options.package_path);
   std::error_code error;
-  if (packageOf(input)) return openInput(resolveUri(input, "", find_package), options, control);
+  if (packageOf(input)) return openInput(resolveUri(input, "", defaultPackageFinder("", options.package_path)), options, control);
   if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input, options, control);
   if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, options, control);
   const bool file_meant = input.empty() || input.find('/') != std::string::npos || isRobotFile(input) || isMeshFile(input);
   if (file_meant) throwNotFound(input, false, options);
-  const std::optional<std::string> folder = find_package(input);
+  const std::optional<std::string> folder = defaultPackageFinder("", options.package_path)(input);
   if (!folder) throwNotFound(input, true, options);
   return packageInput(input, *folder, options, control);
 }

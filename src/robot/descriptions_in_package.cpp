@@ -120,18 +120,14 @@ std::vector<std::string> robotsAmong(const std::vector<std::string>& files, cons
   return descriptions;
 }
 
-/// The package that a file below `folder` lies in; `folder` itself where there is none.
-fs::path packageBelow(const fs::path& folder, const fs::path& file) {
-  for (fs::path above = file.parent_path(); above != folder && above.has_relative_path(); above = above.parent_path())
-    if (isFile(above / "package.xml")) return above;
-  return folder;
-}
-
 /// The same for files of several packages, package by package: what "$(find NAME)" means depends on it. All files of a package in which
 /// none is a robot.
 void judgeByPackage(const std::vector<std::string>& files, const fs::path& folder, FoundDescriptions& found) {
   std::map<fs::path, std::vector<std::string>> by_package;
-  for (const std::string& file : files) by_package[packageBelow(folder, file)].push_back(file);
+  for (const std::string& file : files) {
+    const fs::path package = packageAround(file, folder);
+    by_package[package.empty() ? folder : package].push_back(file);
+  }
   found.are_parts = !files.empty();
   for (const auto& [package, of_package] : by_package) {
     const std::vector<std::string> robots = robotsAmong(of_package, package), &chosen = robots.empty() ? of_package : robots;

@@ -43,6 +43,12 @@ std::vector<fs::path> sortedEntries(const fs::path& folder) {
   return entries;
 }
 
+fs::path packageAround(const fs::path& file, const fs::path& top) {
+  for (fs::path above = file.parent_path(); above != top && above.has_relative_path(); above = above.parent_path())
+    if (isFile(above / "package.xml")) return above;
+  return {};
+}
+
 std::optional<std::string> manifestIn(const fs::path& folder) {
   return contentOf(folder / "package.xml", kMostManifest);
 }

@@ -14,6 +14,9 @@ bool isFile(const std::filesystem::path& path);
 bool isFolder(const std::filesystem::path& path);
 std::vector<std::filesystem::path> sortedEntries(const std::filesystem::path& folder);  ///< empty if the folder cannot be read
 
+/// The innermost folder above a file that has a package.xml, below `top`; empty: none.
+std::filesystem::path packageAround(const std::filesystem::path& file, const std::filesystem::path& top = {});
+
 /// The text of a folder's package.xml; nullopt: it has none, or one that cannot be read or is too long for a manifest.
 std::optional<std::string> manifestIn(const std::filesystem::path& folder);
 

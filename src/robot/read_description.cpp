@@ -5,6 +5,7 @@
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "robot/package_crawl.h"
 #include "robot/xacro.h"
 #include "storage/text_file.h"
 
@@ -22,7 +23,7 @@ bool mentions(const std::string& file, const std::string& name) try {
 
 /// The other descriptions of the package that a file lies in, those that include the file first.
 std::vector<std::string> descriptionsBeside(const fs::path& file) {
-  const std::string package = packageAround(file);
+  const std::string package = packageAround(file).string();
   if (package.empty()) return {};
   std::vector<std::string> found = robotDescriptionsIn(package);
   if (found.empty()) found = robotDescriptionsBelow(package).files;

@@ -34,10 +34,6 @@ constexpr std::size_t kLongestPath = 64'000;  // [bytes] of ROS_PACKAGE_PATH: th
 
 const char* const kAssigns = ":=";
 
-bool isPackage(const fs::path& folder) {
-  return isFile(folder / "package.xml");
-}
-
 /// ROS_PACKAGE_PATH for xacro: folders in the order in which package:// URIs are looked up.
 std::string packagePathFor(const fs::path& file, const std::vector<std::string>& given) {
   std::vector<fs::path> named, any;
@@ -48,7 +44,7 @@ std::string packagePathFor(const fs::path& file, const std::vector<std::string>&
   const fs::path package = packageAround(file);
   if (!package.empty())
     for (const fs::path& beside : sortedEntries(package.parent_path()))
-      if (isPackage(beside)) any.push_back(beside);
+      if (isFile(beside / "package.xml")) any.push_back(beside);
   const char* const ours = std::getenv("ROS_PACKAGE_PATH");
   std::string path;
   const auto add = [&](const std::string& folders) { path += (path.empty() ? "" : ":") + folders; };
@@ -271,12 +267,6 @@ class Expansion {
 };
 
 }  // namespace
-
-std::string packageAround(const std::string& file) {
-  for (fs::path folder = fs::path(file).parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-    if (isPackage(folder)) return folder.string();
-  return "";
-}
 
 void checkTakesArguments(const std::string& path, const std::vector<std::string>& arguments) {
   if (arguments.empty() || lowerExtension(path) == ".xacro") return;

@@ -20,6 +20,18 @@ TEST(PackageAt, ReadsTheNameOfAManifest) {
   EXPECT_FALSE(packageAt(folder.path("four")));
 }
 
+TEST(PackageAround, IsTheInnermostBelowTheTop) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("ws/arm/inner/urdf/arm.urdf");
+  EXPECT_EQ(packageAround(file), "");
+  folder.write("ws/arm/package.xml", kManifest);
+  EXPECT_EQ(packageAround(file), folder.path("ws/arm"));
+  EXPECT_EQ(packageAround(file, folder.path("ws")), folder.path("ws/arm"));
+  EXPECT_EQ(packageAround(file, folder.path("ws/arm")), "");
+  folder.write("ws/arm/inner/package.xml", kManifest);
+  EXPECT_EQ(packageAround(file), folder.path("ws/arm/inner"));
+}
+
 TEST(PackageCrawl, StopsWhereRospackDoes) {
   const TemporaryFolder folder;
   folder.write("a/arm/package.xml", kManifest);

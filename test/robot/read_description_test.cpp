@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include "base/run_program.h"
 #include "collision_hulls/robot/robot_description.h"
@@ -7,12 +6,6 @@
 
 namespace collision_hulls {
 namespace {
-
-const char kUrdf[] = "<robot name=\"r\">\r\n<link name=\"a\"/></robot>";
-
-void writeProgram(const TemporaryFolder& folder, const std::string& name, const std::string& script) {
-  chmod(folder.write(name, "#!/bin/sh\n" + script).c_str(), 0755);
-}
 
 TEST(ReadDescription, MissingFileAndFolder) {
   const TemporaryFolder folder;

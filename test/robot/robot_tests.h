@@ -2,13 +2,13 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <optional>
 #include <sstream>
 #include <string>
 
@@ -51,6 +51,14 @@ class TemporaryFolder {
  private:
   std::string path_;
 };
+
+/// A small robot.
+inline constexpr char kUrdf[] = "<robot name=\"r\">\r\n<link name=\"a\"/></robot>";
+
+/// Writes a shell script that can be run.
+inline void writeProgram(const TemporaryFolder& folder, const std::string& name, const std::string& script) {
+  chmod(folder.write(name, "#!/bin/sh\n" + script).c_str(), 0755);
+}
 
 inline std::string readFile(const std::string& path) {
   std::ostringstream text;

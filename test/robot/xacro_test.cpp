@@ -2,19 +2,12 @@
 #include "robot/xacro.h"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/robot_tests.h"
 
 namespace collision_hulls {
 namespace {
-
-const char kUrdf[] = "<robot name=\"r\">\r\n<link name=\"a\"/></robot>";
-
-void writeProgram(const TemporaryFolder& folder, const std::string& name, const std::string& script) {
-  chmod(folder.write(name, "#!/bin/sh\n" + script).c_str(), 0755);
-}
 
 TEST(Xacro, IsMissing) {
   const TemporaryFolder folder;

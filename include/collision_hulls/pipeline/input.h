@@ -20,8 +20,8 @@ struct Input {
 struct InputOptions {
   std::vector<std::string> package_path = {};     ///< see defaultPackageFinder()
   std::vector<std::string> xacro_arguments = {};  ///< see readRobotDescription()
-  bool may_ignore_arguments =
-      false;  ///< whether they are left out where INPUT is no .xacro file; else they are refused
+  /// whether they are left out where INPUT is not a .xacro file; else they are refused there
+  bool may_ignore_arguments = false;
   /// a command is this, the INPUT, and the words after it, as messages propose it
   std::string program = "decompose";
   std::string words = "";

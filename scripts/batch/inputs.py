@@ -87,6 +87,9 @@ def of_folder(folder, options, name):
 def of_word(word, folder, options, name=""):
     if len(os.fsencode(word)) >= MOST_PATH:
         raise Failure(f"the input '{word[:60]}...' has {len(word)} characters; a path has less than {MOST_PATH}: give one, as a line of its own in a list")
+    if re.match(r"[A-Za-z_]\w*:=", word):
+        raise Failure(f"'{word}' is an argument for xacro, and a batch passes none on: expand the description once for each variant, "
+                      f"as in 'xacro my_robot.urdf.xacro {word} > my_robot.urdf', and give those files")
     path = pathlib.Path(located(word, folder))
     return of_folder(path, options, name) if os.path.isdir(path) else [Item(str(path), options, name)]
 

@@ -16,8 +16,8 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kShareOfError = 0.1;  // that one cluster may take of what is left
-constexpr double kAside = 1e-9;        // bound on the offset of the ray from its point, as a share of the extent
+constexpr double kShareOfError = 0.25;  // that one cluster may take of what is left
+constexpr double kAside = 1e-9;         // bound on the offset of the ray from its point, as a share of the extent
 
 /// The sum of many angles, each from -pi to pi. Multiplies complex numbers with these angles and counts full turns, so a single atan2 at
 /// the end suffices.
@@ -25,13 +25,12 @@ class SumOfAngles {
  public:
   /// Adds the angle of the vector (x, y).
   void add(double x, double y) {
-    const double length = std::abs(x) + std::abs(y);
-    if (!(length > 0)) return;
-    const double re = (x * x_ - y * y_) / length, im = (x * y_ + y * x_) / length;
+    const double re = x * x_ - y * y_, im = x * y_ + y * x_, size = std::abs(re) + std::abs(im);
+    if (!(size > 0)) return;
     if (y >= 0 && y_ >= 0 && (im < 0 || (im == 0 && re > 0 && x < 0))) ++turns_;
     if (y < 0 && y_ < 0 && (im > 0 || (im == 0 && re < 0))) --turns_;
-    const double size = std::abs(re) + std::abs(im);  // between 1/2 and 2 times its former value
-    x_ = re / size, y_ = im / size;
+    const double scale = 1 / size;
+    x_ = re * scale, y_ = im * scale;
   }
   double value() const { return std::atan2(y_, x_) + 2 * kPi * turns_; }
 

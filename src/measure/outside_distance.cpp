@@ -159,15 +159,23 @@ void OutsideDistance::measure(int id, int parent_id) {
 
 /// A child near its parent's centre is on the same side of the surface, which saves telling the side anew. The parent's is known. -1: no
 /// parent.
-void OutsideDistance::tellSide(int id, int parent_id) {
+void OutsideDistance::tellSide(int id, int parent) {
   Cell& cell = at(id);
   if (!std::isnan(cell.distance)) return;
-  const Cell* const parent = parent_id < 0 ? nullptr : &at(parent_id);
-  const Eigen::Vector3d centre = cube(id).centre, p = inWorld(centre);
-  if (parent && solid_.isOneSide(parent->to_surface, (cube(parent_id).centre - centre).norm()))
-    cell.distance = solid_.signedDistance(p, cell.to_surface, std::signbit(parent->distance));
+  const Eigen::Vector3d p = inWorld(cube(id).centre);
+  const bool inside = parent >= 0 && std::signbit(at(parent).distance);
+  // With openings, a ball about a point inside may be smaller than its distance from the surface.
+  if (parent >= 0 && !(inside && solid_.hasOpenings()) && isOneSide(parent))
+    cell.distance = solid_.signedDistance(p, cell.to_surface, inside);
   else
     cell.distance = solid_.signedDistance(p, cell.to_surface);
+}
+
+/// Whether the centres of a cell's children are known to be on the same side of the surface as its own.
+bool OutsideDistance::isOneSide(int id) {
+  signed char& known = family(id).one_side[static_cast<std::size_t>(id) % 8];
+  if (known < 0) known = solid_.isOneSide(inWorld(cube(id).centre), at(id).to_surface, radius(id) / 2) ? 1 : 0;
+  return known != 0;
 }
 
 /// An upper bound over a cell on the distance to S as a set (lemma 1 of doc/certified.md); infinite if the cell was not measured yet. A

@@ -79,6 +79,7 @@ class OutsideDistance {
     std::array<Cell, 8> cells;
     std::array<signed char, 8> summit{-1, -1, -1, -1, -1, -1, -1, -1};  // whether each may contain a local maximum; -1: not determined yet
     std::array<bool, 8> levelled{};  // whether each one's level is already what isLevelWithin() can prove
+    std::array<signed char, 8> one_side{-1, -1, -1, -1, -1, -1, -1, -1};     // what isOneSide() answers; -1: not asked yet
     std::array<signed char, 8> among_walls{-1, -1, -1, -1, -1, -1, -1, -1};  // what isAmongWalls() answers; -1: not asked yet
   };
   /// Where a cell is.
@@ -105,6 +106,7 @@ class OutsideDistance {
   Eigen::Vector3d inWorld(const Eigen::Vector3d& p) const { return solid_.axes().transpose() * p; }
   void measure(int cell, int parent);
   void tellSide(int cell, int parent);
+  bool isOneSide(int cell);
   double knownBound(int cell) const;
   double boundBelow(double enough, int cell, int parent);
   std::optional<Eigen::Vector3d> outsidePoint(int cell, const Faces& hull, const View& view) const;

@@ -26,7 +26,7 @@
 #include "measure/inverted.h"
 #include "measure/lids.h"
 #include "measure/rim.h"
-#include "measure/rim_field.h"
+#include "measure/walls.h"
 #include "mesh/edges.h"
 #include "mesh/loose_segments.h"
 
@@ -43,134 +43,6 @@ TriangleMesh wallsOf(const RepairedMesh& mesh, const RunControl& control) {
     if (look(); !mesh.sheet[t]) result.triangles.push_back(mesh.mesh.triangles[t]);
   return result;
 }
-
-/// The closed surface.
-TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids) {
-  TriangleMesh result = mesh;
-  if (!lids.vertices.empty()) result.vertices = lids.vertices;
-  for (const std::vector<Triangle>* triangles : {&lids.of_cracks, &lids.of_openings})
-    result.triangles.insert(result.triangles.end(), triangles->begin(), triangles->end());
-  return result;
-}
-
-// With openings: points with a larger computed winding number surely are inside, where the true one exceeds 1/2; and what balls inside S
-// leave in reserve.
-constexpr double kSurelyInside = 0.55, kReserve = 0.02;
-static_assert(TriangleBvh::kWindingError < kSurelyInside - 0.5, "a point outside might count as inside");
-
-/// What lies inside. The winding number is that of the closed surface, by counting crossings, minus that of the lids of openings, which are
-/// few.
-struct Walls {
-  /// `surface`: a tree over all triangles, reused if all of them are walls and there is no rim.
-  Walls(const TriangleMesh& walls, const Lids& all_lids, const RepairedMesh& mesh, const std::shared_ptr<const TriangleBvh>& surface,
-        const RunControl& control)
-      : closed(all_lids.vertices.empty() && walls.triangles.size() == mesh.mesh.triangles.size()
-                   ? surface
-                   : std::make_shared<TriangleBvh>(joined(walls, all_lids), std::vector<char>(), control, TriangleBvh::Keeps::kNothing)),
-        lids({all_lids.vertices, all_lids.of_openings}, {}, control),
-        rim(mesh.mesh.vertices, all_lids.rim_of_openings, control),
-        crack_width(all_lids.crack_width),
-        has_sheets(walls.triangles.size() != mesh.mesh.triangles.size()),
-        blur(std::max(closed->blur(), surface->blur())),
-        volume(signedVolume(walls)) {}
-
-  bool hasOpenings() const { return !lids.empty(); }
-
-  /// [m] How far cracks can mislead (lemma 7 of doc/certified.md). A lid's points lie within a width of the segment along which the loop
-  /// runs there and back, and so does some point of the loop beside each point of the segment: no point of a lid is further from the
-  /// surface than two widths.
-  double crackSlack() const { return 2 * crack_width; }
-
-  /// [m] How far away the nearest wall or lid is, for a point inside. Sheets that are nearer lie inside, too.
-  double toWalls(const Eigen::Vector3d& p, double to_surface) const {
-    return has_sheets ? std::max(to_surface, closed->nearest(p).distance) : to_surface;
-  }
-
-  /// How far from the middle of a ball of this radius the surface may be that is nearest to one of its points, if that is no further than
-  /// `furthest` from the point. Never so little that rounding could leave it out.
-  double reach(double radius, double furthest) const { return radius + furthest + crackSlack() + blur; }
-
-  /// What the winding number of a point tells. With openings, rough numbers, ever finer, tell as much of most points as an exact one would,
-  /// which is asked where they do not.
-  class Winding {
-   public:
-    Winding(const Walls& walls, const Eigen::Vector3d& p)
-        : walls_(walls), p_(p), aside_(walls.closed->aside(p)), crossings_(walls.closed->signedCrossings(p)) {}
-
-    /// With openings, points that might be outside count as outside, so that no hull reaches there unnoticed.
-    bool isInside() {
-      for (std::size_t i = 0; i < kRough.size(); ++i)
-        if (margin(i) > 0) return rough(i).number > kSurelyInside;
-      return exact() > kSurelyInside;
-    }
-
-    /// A lower bound on the length of any path from p to where isInside() changes that does not cross the surface; if it is more than
-    /// `enough`, it need not be close. Lemma 6 of doc/certified.md.
-    double wayToBorder(double enough) {
-      double way = 0;
-      for (std::size_t i = 0; i < kRough.size() && way <= enough; ++i) way = std::max(way, wayTo(margin(i) - kReserve));
-      return way > 0 ? way : exactWayToBorder();
-    }
-    double exactWayToBorder() { return wayTo(std::abs(exact() - kSurelyInside) - kReserve); }
-
-    /// The same to where the true winding number is 1/2.
-    double wayToHalf() { return wayTo(0.5 - exact() - (walls_.hasOpenings() ? TriangleBvh::kWindingError : 0)); }
-
-    /// Whether that is longer.
-    bool isHalfBeyond(double length) {
-      for (std::size_t i = 0; i < kRough.size() && walls_.hasOpenings(); ++i) {
-        const double margin = 0.5 - rough(i).number, error = rough(i).error;
-        if (wayTo(margin - error) > length) return true;
-        if (wayTo(margin + error) <= length) return false;
-      }
-      return wayToHalf() > length;
-    }
-
-   private:
-    static constexpr std::array<double, 2> kRough{0.3, 0.05};  // errors
-
-    /// Differs from the true number by no more than `error`.
-    const TriangleBvh::RoughWinding& rough(std::size_t i) {
-      if (!rough_[i]) {
-        rough_[i] = walls_.lids.roughWindingNumber(aside_, kRough[i]);
-        rough_[i]->number = crossings_ - rough_[i]->number;
-      }
-      return *rough_[i];
-    }
-
-    /// Not more than what exact() is from the border.
-    double margin(std::size_t i) { return std::abs(rough(i).number - kSurelyInside) - rough(i).error - TriangleBvh::kWindingError; }
-
-    double exact() {
-      if (!exact_) exact_ = crossings_ - (walls_.hasOpenings() ? walls_.lids.windingNumber(aside_) : 0);
-      return *exact_;
-    }
-
-    /// A lower bound on the length of any path from p to where the winding number differs by `margin` that does not cross the surface.
-    double wayTo(double margin) {
-      if (margin <= 0) return 0;
-      if (!walls_.hasOpenings()) return std::numeric_limits<double>::infinity();
-      if (!rim_) rim_ = walls_.rim.from(p_);
-      return rim_->way(margin);
-    }
-
-    const Walls& walls_;
-    const Eigen::Vector3d& p_;
-    const Eigen::Vector3d aside_;
-    const int crossings_;
-    std::array<std::optional<TriangleBvh::RoughWinding>, kRough.size()> rough_;
-    std::optional<double> exact_;
-    std::optional<RimField::Seen> rim_;
-  };
-
-  std::shared_ptr<const TriangleBvh> closed;
-  TriangleBvh lids;
-  RimField rim;        // of openings
-  double crack_width;  // [m]
-  bool has_sheets;     // whether some of the surface is no wall
-  double blur;         // [m] what rounding may hide; see the top
-  double volume;
-};
 
 /// Whether flat walls may have the inside on both sides: sheets that meet walls, and walls that face each other.
 bool mayTouch(const RepairedMesh& mesh, const Walls& walls, const TriangleMesh& triangles, const RunControl& control) {
@@ -235,7 +107,7 @@ struct Solid::Impl {
   Impl(const RepairedMesh& mesh, const Solid* before, const RunControl& control) : Impl(mesh, Anatomy(mesh, before, control), control) {}
   Impl(const RepairedMesh& mesh, const Anatomy& anatomy, const RunControl& control)
       : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided, control, keptOf(anatomy.two_sided))),
-        walls(anatomy.walls, anatomy.lids, mesh, surface, control),
+        walls(anatomy.walls, anatomy.lids, mesh.mesh.triangles.size(), surface, control),
         sheets(mesh, anatomy.edges, anatomy.two_sided, control),
         may_touch(mayTouch(mesh, walls, anatomy.walls, control)),
         interior(interiorOf(mesh)),
@@ -263,8 +135,11 @@ Solid::Solid(const RepairedMesh& moved, const Solid& before, const RunControl& c
 Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;
 
+Winding Solid::windingAt(const Eigen::Vector3d& p) const {
+  return {impl_->walls, p};
+}
 bool Solid::contains(const Eigen::Vector3d& p) const {
-  return Walls::Winding(impl_->walls, p).isInside();
+  return windingAt(p).isInside();
 }
 double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p).distance;
@@ -275,24 +150,27 @@ double Solid::distance(const Eigen::Vector3d& p) const {
 /// A way from p to S ends at the surface, crosses the lid of a crack, or leads to where the winding number has risen to 1/2.
 double Solid::leastDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
-  return std::max(0.0, std::min(to_surface - walls.crackSlack(), Walls::Winding(walls, p).wayToHalf()) - 2 * walls.blur);
+  return std::max(0.0, std::min(to_surface - walls.crackSlack(), Winding(walls, p).wayToHalf()) - 2 * walls.blur);
 }
 bool Solid::isFurther(double distance, const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
   const double length = distance + 2 * walls.blur;
-  return to_surface - walls.crackSlack() > length && Walls::Winding(walls, p).isHalfBeyond(length);
+  return to_surface - walls.crackSlack() > length && Winding(walls, p).isHalfBeyond(length);
 }
 bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p, distance).triangle >= 0 || contains(p);
 }
-/// Lemma 2 of doc/certified.md.
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
+  Winding at = windingAt(p);
+  return signedDistance(at, to_surface);
+}
+/// Lemma 2 of doc/certified.md.
+double Solid::signedDistance(Winding& at, double to_surface) const {
   const Walls& walls = impl_->walls;
   if (to_surface <= walls.blur) return to_surface;
-  Walls::Winding winding(walls, p);
-  if (!winding.isInside()) return to_surface;
-  const double free = walls.toWalls(p, to_surface) - walls.crackSlack();
-  return -std::max(0.0, std::min(free, winding.wayToBorder(free)) - walls.blur);
+  if (!at.isInside()) return to_surface;
+  const double free = walls.toWalls(at.point(), to_surface) - walls.crackSlack();
+  return -std::max(0.0, std::min(free, at.wayToBorder(free)) - walls.blur);
 }
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface, bool inside) const {
   const Walls& walls = impl_->walls;
@@ -301,18 +179,21 @@ double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface, bool i
 double Solid::sideError() const {
   return hasOpenings() || impl_->walls.crack_width > 0 ? impl_->walls.blur : 0;
 }
-bool Solid::isOneSide(double to_surface, double radius) const {
-  return !hasOpenings() && to_surface - impl_->walls.crackSlack() - impl_->walls.blur > radius;
+bool Solid::isOneSide(const Eigen::Vector3d& p, double to_surface, double radius) const {
+  const Walls& walls = impl_->walls;
+  return to_surface - walls.crackSlack() - walls.blur > radius && (!hasOpenings() || windingAt(p).isBorderBeyond(radius));
 }
 bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, const std::array<Eigen::Vector3d, 3>** met) const {
-  const Walls& walls = impl_->walls;
-  const std::array<Eigen::Vector3d, 3>* const found = walls.closed->metBy(patch);
+  Winding centre = windingAt((patch[0] + patch[1] + patch[2]) / 3);
+  return isOneSide(patch, centre, met);
+}
+bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, Winding& near, const std::array<Eigen::Vector3d, 3>** met) const {
+  const std::array<Eigen::Vector3d, 3>* const found = impl_->walls.closed->metBy(patch);
   if (met) *met = found;
   if (found || !hasOpenings()) return !found;
-  const Eigen::Vector3d centre = (patch[0] + patch[1] + patch[2]) / 3;
   double radius = 0;
-  for (const Eigen::Vector3d& p : patch) radius = std::max(radius, (p - centre).norm());
-  return radius < Walls::Winding(walls, centre).wayToBorder(radius);
+  for (const Eigen::Vector3d& p : patch) radius = std::max(radius, (p - near.point()).norm());
+  return radius < near.wayToBorder(radius);
 }
 
 /// Lemma 1 of doc/certified.md.
@@ -329,7 +210,7 @@ double Solid::summitAmongWalls(const Eigen::Vector3d& p, double to_surface, doub
   return amongFlatWalls(*impl_->walls.closed, surface(), p, impl_->walls.reach(radius, to_surface + radius)).summit;
 }
 double Solid::wayToBorder(const Eigen::Vector3d& p) const {
-  return hasOpenings() ? Walls::Winding(impl_->walls, p).exactWayToBorder() : std::numeric_limits<double>::infinity();
+  return hasOpenings() ? windingAt(p).exactWayToBorder() : std::numeric_limits<double>::infinity();
 }
 bool Solid::hasOpenings() const {
   return impl_->walls.hasOpenings();

@@ -21,6 +21,7 @@
 
 #include "base/parallel.h"
 #include "measure/level_bound.h"
+#include "measure/walls.h"
 
 namespace collision_hulls {
 
@@ -147,31 +148,34 @@ class Search {
 
   /// Bounds a patch about c by the side of the surface that c is on. That takes long to tell: only where it makes a difference.
   void boundBySide(Patch& patch, const Eigen::Vector3d& c, double radius, const TriangleBvh::Nearest& n) {
-    const double outside = solid_.signedDistance(c, n.distance);
+    Winding winding = solid_.windingAt(c);
+    const double outside = solid_.signedDistance(winding, n.distance);
     if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
     patch.bound = std::min(patch.bound, std::max(0.0, outside + radius));
-    if (patch.bound > threshold() && goesInside(patch, c, radius, outside, n)) patch.bound = farthest();
+    if (patch.bound > threshold() && goesInside(patch, winding, radius, outside, n)) patch.bound = farthest();
   }
 
   /// Whether every point of the patch about c has a point of the solid within farthest(), because all of the patch is inside once it is
   /// moved there. Lemma 9 of doc/certified.md.
-  bool goesInside(Patch& patch, const Eigen::Vector3d& c, double radius, double outside, const TriangleBvh::Nearest& nearest) const {
-    if (outside < 0 && isInside(patch, c, radius, Eigen::Vector3d::Zero())) return true;
+  bool goesInside(Patch& patch, Winding& centre, double radius, double outside, const TriangleBvh::Nearest& nearest) const {
+    const Eigen::Vector3d& c = centre.point();
+    if (outside < 0 && isInside(patch, c, radius, centre)) return true;
     const double above = std::max(outside, 0.0);
     if (above >= farthest() || (outside < 0 && !patch.divider)) return false;
     const auto& [p, q, r] = outside < 0 ? *patch.divider : solid_.surface().corners(nearest.triangle);
     const Eigen::Vector3d inward = outside > kTouching * threshold() ? nearest.point - c : (q - p).cross(p - r);
     const Eigen::Vector3d by = (above + farthest()) / 2 * inward.normalized();
-    return solid_.contains(c + by) && isInside(patch, c, radius, by);
+    Winding moved = solid_.windingAt(c + by);
+    return moved.isInside() && isInside(patch, c, radius, moved);
   }
 
-  /// Whether the patch about c lies inside as a whole, which its centre does, when it is moved by `by` and shrunk: that moves its corners
-  /// by farthest() at most. If not, it meets the divider.
-  bool isInside(Patch& patch, const Eigen::Vector3d& c, double radius, const Eigen::Vector3d& by) const {
-    const double share = 1 - (farthest() - by.norm()) / radius;
+  /// Whether the patch about c lies inside as a whole, as `centre` does, when it is moved there and shrunk: that moves its corners by
+  /// farthest() at most. If not, it meets the divider.
+  bool isInside(Patch& patch, const Eigen::Vector3d& c, double radius, Winding& centre) const {
+    const double share = 1 - (farthest() - (centre.point() - c).norm()) / radius;
     std::array<Eigen::Vector3d, 3> moved;
-    for (std::size_t i = 0; i < 3; ++i) moved[i] = c + by + share * (patch.corner[i].p - c);
-    return solid_.isOneSide(moved, &patch.divider);
+    for (std::size_t i = 0; i < 3; ++i) moved[i] = centre.point() + share * (patch.corner[i].p - c);
+    return solid_.isOneSide(moved, centre, &patch.divider);
   }
 
   /// Where a plane crosses an edge of a patch.

@@ -57,7 +57,7 @@ TEST(Solid, CracksWithinTheWeldToleranceAreNotOpenings) {
       if (d < 0) {  // the ball lies in the cube, of which the lids of the cracks cut off corners no deeper than the cracks are wide
         EXPECT_LE(-d, -beyond + std::abs(off));
         EXPECT_LE(-d, to_surface - 2 * std::abs(off));
-        EXPECT_EQ(solid.isOneSide(to_surface, -d * 1.01), false);
+        EXPECT_EQ(solid.isOneSide(p, to_surface, -d * 1.01), false);
       }
       const double radius = 0.3;  // a point in reach may be outside, across a crack
       EXPECT_GE(solid.distanceWithin(radius, d, to_surface), solid.distance(p + radius * random.onSphere())) << p.transpose();
@@ -187,7 +187,7 @@ TEST(Solid, BallsInsideEndBeforeALidThatIsTwoWidthsFromTheSurface) {
   EXPECT_FALSE(solid.contains(p + 1.1 * to_lid * Vector3d::UnitZ()));
   EXPECT_LE(-solid.signedDistance(p, to_surface), to_lid);
   EXPECT_LE(-solid.signedDistance(p, to_surface, true), to_lid);
-  EXPECT_FALSE(solid.isOneSide(to_surface, 1.001 * to_lid));
+  EXPECT_FALSE(solid.isOneSide(p, to_surface, 1.001 * to_lid));
 }
 
 TEST(Solid, TheLeastDistanceIsThatOfALidThatIsTwoWidthsFromTheSurface) {

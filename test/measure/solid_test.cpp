@@ -220,9 +220,10 @@ TEST(Solid, WhatLiesWithinTheBlurOfTheSurfaceCountsAsOutside) {
       const double to_surface = solid.distanceToSurface(p);
       EXPECT_EQ(solid.signedDistance(p, to_surface), to_surface);
     }
-  EXPECT_FALSE(solid.isOneSide(0.5 * kBlur, 0));
-  EXPECT_FALSE(solid.isOneSide(0.3, 0.3)) << "the other side begins just beyond the wall";
-  EXPECT_TRUE(solid.isOneSide(0.3, 0.2999));
+  const Vector3d p(0.5, 0.5, 0.7);
+  EXPECT_FALSE(solid.isOneSide(p, 0.5 * kBlur, 0));
+  EXPECT_FALSE(solid.isOneSide(p, 0.3, 0.3)) << "the other side begins just beyond the wall";
+  EXPECT_TRUE(solid.isOneSide(p, 0.3, 0.2999));
 }
 
 // With openings, S also ends in mid air.
@@ -332,13 +333,32 @@ TEST(Solid, NoPathToABorderIsShorterThanTheBound) {
 }
 
 // A ball about a place below a window meets no surface, but reaches above the window, where it is outside.
-TEST(Solid, NoBallIsOnOneSideInFrontOfAnOpening) {
+TEST(Solid, NoBallIsOnOneSideThatReachesThroughAnOpening) {
   const Solid solid = solidOf(test_shapes::boxWithWindow(0.2)), closed = solidOf(test_shapes::box(1, 1, 1));
   const Vector3d below(0.5, 0.5, 0.9), above(0.5, 0.5, 1.1);
   ASSERT_TRUE(solid.contains(below) && !solid.contains(above));
   ASSERT_GT(solid.distanceToSurface(below), (above - below).norm());
-  EXPECT_FALSE(solid.isOneSide(solid.distanceToSurface(below), (above - below).norm()));
-  EXPECT_TRUE(closed.isOneSide(0.3, 0.2)) << "so that the test can tell";
+  EXPECT_FALSE(solid.isOneSide(below, solid.distanceToSurface(below), (above - below).norm()));
+  EXPECT_TRUE(closed.isOneSide(below, 0.3, 0.2)) << "so that the test can tell";
+}
+
+TEST(Solid, ABallOnOneSideIsOnOneSideEverywhere) {
+  RandomPoints random(5);
+  for (const TriangleMesh& mesh : {test_shapes::openBox(1, 1, 1, 0.1, 3), test_shapes::boxWithWindow(0.2)}) {
+    const Solid solid = solidOf(mesh);
+    int inside = 0, outside = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+      const Vector3d p = Vector3d(0.5, 0.5, 0.5) + random.inCube(1.2);
+      const double to_surface = solid.distanceToSurface(p), radius = to_surface * random.number(0, 1.2);
+      if (!solid.isOneSide(p, to_surface, radius)) continue;
+      const bool side = solid.contains(p);
+      for (int k = 0; k < 50; ++k)
+        EXPECT_EQ(solid.contains(p + radius * random.onSphere()), side) << p.transpose() << ", radius " << radius;
+      ++(side ? inside : outside);
+    }
+    EXPECT_GT(inside, 20);
+    EXPECT_GT(outside, 200);
+  }
 }
 
 // On the axis of a round opening of radius a, at a height h below it, the winding number is 1/2 + h / (2 sqrt(h^2 + a^2)). The rim's field

@@ -12,6 +12,8 @@
 
 namespace collision_hulls {
 
+class Winding;
+
 /// S consists of the surface and of the points inside the parts of it that are not sheets: those
 /// whose generalized winding number exceeds 1/2. Components face outward, so a closed cavity in a
 /// housing counts as inside. Cracks no wider than the default weld tolerance (1e-5 of the extent)
@@ -50,15 +52,22 @@ class Solid {
   /// that near openings.
   /// `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
-  /// [m] The same without openings, for a point of which the side is known.
+  /// [m] The same for a point of which the side is known: outside, or without openings.
   double signedDistance(const Eigen::Vector3d& p, double to_surface, bool inside) const;
-  /// Whether all points within `radius` [m] of one at this distance from the surface are on its
-  /// side, inside or outside. May answer no where the answer is yes, but never the reverse.
-  bool isOneSide(double to_surface, double radius) const;
+  /// For the library itself: several questions about one point take less time together. Winding is
+  /// in measure/walls.h, which is not installed.
+  Winding windingAt(const Eigen::Vector3d& p) const;
+  double signedDistance(Winding& at, double to_surface) const;
+  /// Whether all points within `radius` [m] of p are on its side, inside or outside. May answer no
+  /// where the answer is yes, but never the reverse. `to_surface`: distanceToSurface(p).
+  bool isOneSide(const Eigen::Vector3d& p, double to_surface, double radius) const;
   /// The same for all points of a patch. `met`, if given, receives the corners of a triangle of the
   /// surface that it meets; null if there is none.
   bool isOneSide(const std::array<Eigen::Vector3d, 3>& patch,
                  const std::array<Eigen::Vector3d, 3>** met = nullptr) const;
+  /// `near`: of a point in the patch's plane, best its centre.
+  bool isOneSide(const std::array<Eigen::Vector3d, 3>& patch, Winding& near,
+                 const std::array<Eigen::Vector3d, 3>** met) const;
   /// [m] An upper bound on distance() within `radius` of a point with this signedDistance(). Near
   /// openings, a step out of the ball inside S may cross a border that is not surface; then only
   /// the nearest surface counts.

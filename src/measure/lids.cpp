@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <queue>
 
 #include "base/looks.h"
@@ -26,9 +27,9 @@ double widthOf(const std::vector<Eigen::Vector3d>& vertices, const Loop& loop) {
   };
   const int end = furthestFrom(loop[0]);
   const int other = furthestFrom(end);
-  double width = 0;
-  for (const int v : loop) width = std::max(width, segmentDistance(at(v), at(end), at(other)));
-  return width;
+  double squared = 0;
+  for (const int v : loop) squared = std::max(squared, squaredSegmentDistance(at(v), at(end), at(other)));
+  return std::sqrt(squared);
 }
 
 /// A loop that is shortened by cutting off three edges at a time, those whose ends are nearest to each other.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -50,6 +51,7 @@ RimField::RimField(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim,
       node.box.extend(node.a).extend(node.b);
       node.length += (node.b - node.a).norm();
     }
+    node.squared_diagonal = node.box.diagonal().squaredNorm();
     if (part.to - part.from > 1) {
       node.children = static_cast<int>(nodes_.size());
       nodes_.resize(nodes_.size() + 2);
@@ -69,20 +71,22 @@ RimField::RimField(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim,
 RimField::Seen RimField::from(const Eigen::Vector3d& p) const {
   Seen seen{std::numeric_limits<double>::infinity(), 0};
   if (nodes_.empty()) return seen;
+  double nearest = seen.distance;       // squared
   constexpr std::size_t kDeepest = 64;  // each level halves the edges
   std::array<int, kDeepest> open{0};
   for (std::size_t count = 1; count > 0;) {
     const Node& node = nodes_[static_cast<std::size_t>(open[--count])];
     const bool is_leaf = node.children < 0;
-    const double distance = is_leaf ? segmentDistance(p, node.a, node.b) : node.box.exteriorDistance(p);
-    if (!is_leaf && distance < kFar * node.box.diagonal().norm()) {
+    const double squared = is_leaf ? squaredSegmentDistance(p, node.a, node.b) : node.box.squaredExteriorDistance(p);
+    if (!is_leaf && squared < kFar * kFar * node.squared_diagonal) {
       open[count++] = node.children;
       open[count++] = node.children + 1;
       continue;
     }
-    seen.distance = std::min(seen.distance, distance);
-    if (node.length > 0) seen.strength += node.length / (4 * kPi * distance * distance);
+    nearest = std::min(nearest, squared);
+    if (node.length > 0) seen.strength += node.length / (4 * kPi * squared);
   }
+  seen.distance = std::sqrt(nearest);
   return seen;
 }
 

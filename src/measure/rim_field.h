@@ -29,9 +29,10 @@ class RimField {
   /// A leaf is an edge.
   struct Node {
     Eigen::AlignedBox3d box;
-    double length = 0;     // [m] of the edges in it
-    int children = -1;     // the first of two; -1: a leaf
-    Eigen::Vector3d a, b;  // the edge of a leaf
+    double length = 0;            // [m] of the edges in it
+    double squared_diagonal = 0;  // [m^2] of the box
+    int children = -1;            // the first of two; -1: a leaf
+    Eigen::Vector3d a, b;         // the edge of a leaf
   };
   std::vector<Node> nodes_;  // the first is the root; none without a rim
 };

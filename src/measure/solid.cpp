@@ -169,6 +169,8 @@ double Solid::signedDistance(Winding& at, double to_surface) const {
   const Walls& walls = impl_->walls;
   if (to_surface <= walls.blur) return to_surface;
   if (!at.isInside()) return to_surface;
+  const double least = to_surface - walls.crackSlack(), way = at.wayToBorder(least);
+  if (way <= least) return -std::max(0.0, way - walls.blur);  // where the nearest wall is takes longer to tell
   const double free = walls.toWalls(at.point(), to_surface) - walls.crackSlack();
   return -std::max(0.0, std::min(free, at.wayToBorder(free)) - walls.blur);
 }

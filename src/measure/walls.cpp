@@ -11,7 +11,7 @@ namespace {
 // With openings: points with a larger computed winding number surely are inside, where the true one exceeds 1/2; and what balls inside S
 // leave in reserve.
 constexpr double kSurelyInside = 0.55, kReserve = 0.02;
-constexpr std::array<double, 2> kRough{0.3, 0.05};  // errors
+constexpr std::array<double, 2> kRoughErrors{0.3, 0.05};
 static_assert(TriangleBvh::kWindingError < kSurelyInside - 0.5, "a point outside might count as inside");
 
 }  // namespace
@@ -37,14 +37,14 @@ Walls::Walls(const TriangleMesh& open, const Lids& all_lids, std::size_t triangl
       volume(signedVolume(open)) {}
 
 bool Winding::isInside() {
-  for (std::size_t i = 0; i < kRough.size(); ++i)
+  for (std::size_t i = 0; i < kRoughErrors.size(); ++i)
     if (margin(i) > 0) return rough(i).number > kSurelyInside;
   return exact() > kSurelyInside;
 }
 
 double Winding::wayToBorder(double enough) {
   double way = 0;
-  for (std::size_t i = 0; i < kRough.size() && way <= enough; ++i) way = std::max(way, wayTo(margin(i) - kReserve));
+  for (std::size_t i = 0; i < kRoughErrors.size() && way <= enough; ++i) way = std::max(way, wayTo(margin(i) - kReserve));
   return way > 0 ? way : exactWayToBorder();
 }
 
@@ -61,7 +61,7 @@ double Winding::wayToHalf() {
 }
 
 bool Winding::isHalfBeyond(double length) {
-  for (std::size_t i = 0; i < kRough.size() && walls_.hasOpenings(); ++i) {
+  for (std::size_t i = 0; i < kRoughErrors.size() && walls_.hasOpenings(); ++i) {
     const double margin = 0.5 - rough(i).number, error = rough(i).error;
     if (wayTo(margin - error) > length) return true;
     if (wayTo(margin + error) <= length) return false;
@@ -72,7 +72,7 @@ bool Winding::isHalfBeyond(double length) {
 /// Differs from the true number by no more than `error`.
 const TriangleBvh::RoughWinding& Winding::rough(std::size_t i) {
   if (!rough_[i]) {
-    rough_[i] = walls_.lids.roughWindingNumber(aside_, kRough[i]);
+    rough_[i] = walls_.lids.roughWindingNumber(aside_, kRoughErrors[i]);
     rough_[i]->number = crossings_ - rough_[i]->number;
   }
   return *rough_[i];

@@ -213,8 +213,9 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
   const std::string stays =
       is_new == 0 ? ", and the output's collision model is the input's"
                   : ", and those of the <visual> elements become <collision> elements of " + counted(is_new, "link") + " without any";
-  const std::string how_well =
-      visuals > 0 && collisions == 0 && is_new == 0 ? "; 'verify INPUT INPUT' tells how far they are from the primitives" : "";
+  const std::string how_well = visuals > 0 && collisions == 0 && is_new == 0
+                                   ? "; 'rosrun collision_hulls verify INPUT INPUT' tells how far they are from the primitives"
+                                   : "";
   return {none + std::string("; boxes, spheres and cylinders stay as they are") + stays + others(visuals, "visual") +
           others(collisions, "collision") + how_well};
 }
@@ -251,7 +252,7 @@ std::vector<std::string> notesOnConvex(const RobotDescription& robot, const std:
   if (!has_others) return {};
   return {
       "each collision mesh became a single hull: all are nearly convex, so the model is about as coarse as the input's. "
-      "'verify INPUT INPUT' tells how far they are from the visual meshes, which --source visual decomposes"};
+      "'rosrun collision_hulls verify INPUT INPUT' tells how far they are from the visual meshes, which --source visual decomposes"};
 }
 
 std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions) {

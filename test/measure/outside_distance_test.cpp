@@ -244,6 +244,36 @@ TEST(OutsideDistance, SummitsBetweenAWallAndAnOpening) {
   EXPECT_GE(outside.largest(hull, q).bound, gap / 2 - 1e-9);
 }
 
+/// The unit cube without the corner at (1, 1, 1): the surface is open there, across the cells' diagonals.
+TriangleMesh cubeWithOpenCorner(double cut) {
+  const double r = 1 - cut;
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, r}, {1, r, 1}, {r, 1, 1}};
+  for (const std::vector<int>& face :
+       {std::vector{0, 2, 4, 1}, {0, 1, 5, 3}, {0, 3, 6, 2}, {1, 4, 7, 8, 5}, {2, 6, 9, 7, 4}, {3, 5, 8, 9, 6}})
+    for (std::size_t k = 2; k < face.size(); ++k) mesh.triangles.push_back({face[0], face[k - 1], face[k]});
+  return mesh;
+}
+
+// In an opening the solid ends in mid air, far from any surface.
+TEST(OutsideDistance, CellsInAnOpeningDoNotPassForInside) {
+  const Solid solid = solidOf(cubeWithOpenCorner(0.6));
+  ASSERT_TRUE(solid.hasOpenings() && solid.contains({0.5, 0.5, 0.5}) && !solid.contains({0.9, 0.9, 0.9}));
+  RandomPoints random(3);
+  int above = 0, below = 0;
+  for (int trial = 0; trial < 40; ++trial) {  // cells lie elsewhere each time
+    OutsideDistance outside(solid, {-random.number(0, 0.3) * Vector3d::Ones(), Vector3d(1, 1, 1)});
+    for (int i = 0; i < 300; ++i) {
+      const Vector3d p = random.number(0.75, 0.9) * Vector3d::Ones() + random.inCube(0.05), half = Vector3d::Constant(1e-3);
+      const double bound = outside.largest(boxHull(p - half, p + half), query(0.005, 1e-3)).bound;
+      EXPECT_GE(bound, solid.leastDistance(p, solid.distanceToSurface(p))) << p.transpose();
+      ++(bound > 0.005 ? above : below);
+    }
+  }
+  EXPECT_GT(above, 3000);
+  EXPECT_GT(below, 1000);
+}
+
 TEST(OutsideDistance, FoundAndBoundEncloseTheSamples) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);

@@ -1,7 +1,5 @@
-// Tells inside from outside by the winding number of the surface. The rim (edges whose triangles are unbalanced) falls into loops: narrow
-// ones are cracks, closed by lids that count as surface; the others are openings (lids.h). The closed surface's winding number is a count
-// of ray crossings; subtracting that of the openings' lids gives the generalized winding number at little more cost. Near openings, the
-// number's gradient bounds how far the border of the solid can be (Biot-Savart).
+// Answers about points, balls and patches from their distance to the surface, and from the winding number, which tells inside from outside
+// (walls.h).
 //
 // Points closer to the surface than the trees' blur (1e-9 of the extent) count as outside, which is never wrong by more than that: the
 // distance to the surface bounds the distance to the solid. Balls inside the solid are smaller by the blur. So neither the step aside of
@@ -15,7 +13,6 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "base/looks.h"
@@ -74,7 +71,7 @@ std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, 
   std::vector<char> result(count + mesh.loose.size(), 1);
   if (!lids.of_openings.empty()) return result;
   if (before) return before->surface().twoSided();
-  const std::vector<char> inverted = mayFaceInverted(joined(walls, lids), control), on_rim = onRim(mesh, rim, control);
+  const std::vector<char> inverted = mayFaceInverted(closedSurface(walls, lids), control), on_rim = onRim(mesh, rim, control);
   for (std::size_t t = 0, wall = 0; t < count; ++t)
     if (!mesh.sheet[t]) result[t] = inverted[wall++] || on_rim[t];
   return result;
@@ -150,12 +147,12 @@ double Solid::distance(const Eigen::Vector3d& p) const {
 /// A way from p to S ends at the surface, crosses the lid of a crack, or leads to where the winding number has risen to 1/2.
 double Solid::leastDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
-  return std::max(0.0, std::min(to_surface - walls.crackSlack(), Winding(walls, p).wayToHalf()) - 2 * walls.blur);
+  return std::max(0.0, std::min(to_surface - walls.crackSlack(), windingAt(p).wayToHalf()) - 2 * walls.blur);
 }
 bool Solid::isFurther(double distance, const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
   const double length = distance + 2 * walls.blur;
-  return to_surface - walls.crackSlack() > length && Winding(walls, p).isHalfBeyond(length);
+  return to_surface - walls.crackSlack() > length && windingAt(p).isHalfBeyond(length);
 }
 bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p, distance).triangle >= 0 || contains(p);
@@ -184,10 +181,6 @@ double Solid::sideError() const {
 bool Solid::isOneSide(const Eigen::Vector3d& p, double to_surface, double radius) const {
   const Walls& walls = impl_->walls;
   return to_surface - walls.crackSlack() - walls.blur > radius && (!hasOpenings() || windingAt(p).isBorderBeyond(radius));
-}
-bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, const std::array<Eigen::Vector3d, 3>** met) const {
-  Winding centre = windingAt((patch[0] + patch[1] + patch[2]) / 3);
-  return isOneSide(patch, centre, met);
 }
 bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, Winding& near, const std::array<Eigen::Vector3d, 3>** met) const {
   const std::array<Eigen::Vector3d, 3>* const found = impl_->walls.closed->metBy(patch);

@@ -1,4 +1,7 @@
-// Winding numbers of points, as far as questions need them.
+// Tells inside from outside by the winding number of the surface. The rim (edges whose triangles are unbalanced) falls into loops: narrow
+// ones are cracks, closed by lids that count as surface; the others are openings (lids.h). The closed surface's winding number is a count
+// of ray crossings; subtracting that of the openings' lids gives the generalized winding number at little more cost. Near openings, the
+// number's gradient bounds how far the border of the solid can be (Biot-Savart).
 #include "measure/walls.h"
 
 #include <cmath>
@@ -16,7 +19,7 @@ static_assert(TriangleBvh::kWindingError < kSurelyInside - 0.5, "a point outside
 
 }  // namespace
 
-TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids) {
+TriangleMesh closedSurface(const TriangleMesh& mesh, const Lids& lids) {
   TriangleMesh result = mesh;
   if (!lids.vertices.empty()) result.vertices = lids.vertices;
   for (const std::vector<Triangle>* triangles : {&lids.of_cracks, &lids.of_openings})
@@ -26,9 +29,10 @@ TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids) {
 
 Walls::Walls(const TriangleMesh& open, const Lids& all_lids, std::size_t triangles, const std::shared_ptr<const TriangleBvh>& surface,
              const RunControl& control)
-    : closed(all_lids.vertices.empty() && open.triangles.size() == triangles
-                 ? surface
-                 : std::make_shared<TriangleBvh>(joined(open, all_lids), std::vector<char>(), control, TriangleBvh::Keeps::kNothing)),
+    : closed(
+          all_lids.vertices.empty() && open.triangles.size() == triangles
+              ? surface
+              : std::make_shared<TriangleBvh>(closedSurface(open, all_lids), std::vector<char>(), control, TriangleBvh::Keeps::kNothing)),
       lids({all_lids.vertices, all_lids.of_openings}, {}, control),
       rim(open.vertices, all_lids.rim_of_openings, control),
       crack_width(all_lids.crack_width),

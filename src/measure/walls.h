@@ -43,12 +43,12 @@ struct Walls {
   RimField rim;        // of openings
   double crack_width;  // [m]
   bool has_sheets;     // whether some of the surface is no wall
-  double blur;         // [m] what rounding may hide; see solid.cpp
+  double blur;         // [m] what rounding may hide; see the top of solid.cpp
   double volume;       // [m^3] signed
 };
 
-/// The closed surface.
-TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids);
+/// A mesh and all lids.
+TriangleMesh closedSurface(const TriangleMesh& mesh, const Lids& lids);
 
 /// What the winding number of a point tells. With openings, rough numbers, ever finer, tell as much of most points as an exact one would,
 /// which is asked where they do not. Each is computed once, when it is needed first.

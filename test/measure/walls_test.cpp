@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "collision_hulls/measure/solid.h"
 #include "solids.h"
 
@@ -23,11 +26,11 @@ TEST(Winding, AnswersDoNotDependOnThoseBefore) {
       const double to_surface = solid.distanceToSurface(p), size = std::pow(10.0, random.number(-3, 0));
       const std::array<Vector3d, 3> patch{p + size * Vector3d(1, 0, 0), p + size * Vector3d(-0.5, 0.8, 0),
                                           p + size * Vector3d(-0.5, -0.8, 0)};
-      Winding at = solid.windingAt(p);
+      Winding at = solid.windingAt(p), fresh = solid.windingAt(p);
       EXPECT_EQ(at.point(), p);
       EXPECT_EQ(solid.signedDistance(at, to_surface), solid.signedDistance(p, to_surface));
       EXPECT_EQ(at.isInside(), solid.contains(p));
-      EXPECT_EQ(solid.isOneSide(patch, at, nullptr), solid.isOneSide(patch));
+      EXPECT_EQ(solid.isOneSide(patch, at), solid.isOneSide(patch, fresh));
       EXPECT_EQ(at.exactWayToBorder(), solid.wayToBorder(p));
       inside += at.isInside();
     }

@@ -128,9 +128,8 @@ TEST_F(MeshSources, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
   ASSERT_EQ(notes().size(), 1u);
   const std::string stay = "; boxes, spheres and cylinders stay as they are", equal = ", and the output's collision model is the input's";
   EXPECT_EQ(notes()[0], "there is no mesh to decompose" + stay + equal +
-                            "; the <visual> elements have 1 mesh, which --source visual decomposes; 'rosrun collision_hulls verify INPUT "
-                            "INPUT' tells how far they "
-                            "are from the primitives");
+                            "; the <visual> elements have 1 mesh, which --source visual decomposes; "
+                            "'rosrun collision_hulls verify INPUT INPUT' tells how far they are from the primitives");
   options_.links = "tip";
   ASSERT_EQ(notes().size(), 1u);
   EXPECT_EQ(notes()[0], "the chosen links have no meshes" + stay + equal);

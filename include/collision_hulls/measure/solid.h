@@ -54,20 +54,20 @@ class Solid {
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
   /// [m] The same for a point of which the side is known: outside, or without openings.
   double signedDistance(const Eigen::Vector3d& p, double to_surface, bool inside) const;
+  /// Whether all points within `radius` [m] of p are on its side, inside or outside. May answer no
+  /// where the answer is yes, but never the reverse. `to_surface`: distanceToSurface(p).
+  bool isOneSide(const Eigen::Vector3d& p, double to_surface, double radius) const;
+
   /// For the library itself: several questions about one point take less time together. Winding is
   /// in measure/walls.h, which is not installed.
   Winding windingAt(const Eigen::Vector3d& p) const;
   double signedDistance(Winding& at, double to_surface) const;
-  /// Whether all points within `radius` [m] of p are on its side, inside or outside. May answer no
-  /// where the answer is yes, but never the reverse. `to_surface`: distanceToSurface(p).
-  bool isOneSide(const Eigen::Vector3d& p, double to_surface, double radius) const;
-  /// The same for all points of a patch. `met`, if given, receives the corners of a triangle of the
-  /// surface that it meets; null if there is none.
-  bool isOneSide(const std::array<Eigen::Vector3d, 3>& patch,
-                 const std::array<Eigen::Vector3d, 3>** met = nullptr) const;
-  /// `near`: of a point in the patch's plane, best its centre.
+  /// Whether all points of a patch are on one side; no may mean yes, as for a ball. `near`: of a
+  /// point in its plane, best its centre. `met`, if given, receives the corners of a triangle of
+  /// the surface that it meets; null if there is none.
   bool isOneSide(const std::array<Eigen::Vector3d, 3>& patch, Winding& near,
-                 const std::array<Eigen::Vector3d, 3>** met) const;
+                 const std::array<Eigen::Vector3d, 3>** met = nullptr) const;
+
   /// [m] An upper bound on distance() within `radius` of a point with this signedDistance(). Near
   /// openings, a step out of the ball inside S may cross a border that is not surface; then only
   /// the nearest surface counts.

@@ -1,6 +1,7 @@
-// Tree: nodes split near the median along the longest side of the centroids' box, at a multiple of four triangles, so all leaves but the
-// last hold four. That fixes the number of nodes below each node, and subtrees can be built in parallel. Siblings are stored side by side.
-// Queries: depth first, nearer child first, O(log n) on surfaces; nearest() tests boxes in packs of four.
+// Tree: nodes split where the area of the halves' boxes, times the leaves in them, is least (Goldsmith & Salmon 1987, in bins as Wald
+// 2007), at a multiple of four triangles, so all leaves but the last hold four. That fixes the number of nodes below each node, and
+// subtrees can be built in parallel. Siblings are stored side by side. Queries: depth first, nearer child first, O(log n) on surfaces;
+// nearest() tests boxes in packs of four.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ namespace {
 
 constexpr int kLeafSize = 4;
 constexpr int kParallel = 4096;  // nodes with more triangles than this build both halves in parallel
+constexpr int kBins = 16;        // places to split a node along an axis
+constexpr int kLeastShare = 4;   // a half gets at least 1 / this of a node's leaves
 
 // For boxes in single precision: rounding error of a coordinate (at most 2 units large), and of the squared distance to a box, as a share.
 constexpr float kBoxMargin = 4e-7F;
@@ -40,6 +43,24 @@ std::size_t leavesFor(int triangles) {
 double squaredDistance(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& p) {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
 }
+
+/// Half the area of a box.
+double halfArea(const Eigen::Vector3d& size) {
+  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+}
+
+/// The triangles of a node whose centres lie in a slab across an axis.
+struct Bin {
+  Eigen::Array4f low = Eigen::Array4f::Constant(std::numeric_limits<float>::infinity()), high = -low;
+  int count = 0;
+
+  void add(const Bin& other) {
+    low = low.min(other.low);
+    high = high.max(other.high);
+    count += other.count;
+  }
+  double cost(int leaves) const { return halfArea((high - low).head<3>().cast<double>()) * leaves; }
+};
 
 /// The directions within some angle of an axis.
 struct Spread {
@@ -73,13 +94,24 @@ double leastCosine(const Spread* cones, std::size_t count) {
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided, const RunControl& control, Keeps keeps) {
   const std::size_t n = mesh.triangles.size();
   if (n == 0) return;
-  std::vector<Centre> centres;
-  enlarge(centres, n, control);
   Looks look(control);
+  for (const Triangle& t : mesh.triangles) {
+    look();
+    for (int v : t) box_.extend(mesh.vertices[static_cast<std::size_t>(v)]);
+  }
+  centre_ = box_.center();
+  unit_ = extent() > 0 ? extent() : 1;
+  std::vector<Item> items;
+  enlarge(items, n, control);
   for (std::size_t t = 0; t < n; ++t) {
     look();
     const int i = static_cast<int>(t);
-    centres[t] = {(mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3, i};
+    const Eigen::Vector3f a = inUnits(mesh.corner(i, 0)), b = inUnits(mesh.corner(i, 1)), c = inUnits(mesh.corner(i, 2));
+    items[t].triangle = i;
+    for (int axis = 0; axis < 3; ++axis) {
+      items[t].low[axis] = std::min({a[axis], b[axis], c[axis]});
+      items[t].high[axis] = std::max({a[axis], b[axis], c[axis]});
+    }
   }
   enlarge(corners_, n, control);
   enlarge(index_, n, control);
@@ -87,17 +119,14 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_
   two_sided_ = two_sided;
   enlarge(nodes_, 2 * leavesFor(static_cast<int>(n)) - 1, control);
   if (keeps == Keeps::kFarView) enlarge(clusters_, nodes_.size(), control);
-  build(mesh, centres, 0, 0, static_cast<int>(n), 1, control);
-  centres = std::vector<Centre>();
-  box_ = nodes_[0].box;
-  centre_ = box_.center();
-  unit_ = extent() > 0 ? extent() : 1;
-  fours_.reserve(nodes_.size() * 5 / 6 + 1);  // one for each leaf, and for the inner nodes of every other level
+  build(mesh, items, 0, 0, static_cast<int>(n), 1, control);
+  items = std::vector<Item>();
+  fours_.reserve(nodes_.size() * 5 / 6 + 1);  // one for each leaf, and for about two in three inner nodes
   gather(0, control);
   if (keeps == Keeps::kNothing) nodes_ = std::vector<Node>();
 }
 
-/// Packs the boxes two levels below a node, or those of a leaf's triangles; returns their place.
+/// Packs the boxes of a leaf's triangles, or those of four nodes below a node: of the largest, its children. Returns their place.
 int TriangleBvh::gather(int id, const RunControl& control) {
   if (fours_.size() % kItemsBetweenLooks == 0) control.check();
   const auto at = static_cast<int>(fours_.size());
@@ -117,40 +146,48 @@ int TriangleBvh::gather(int id, const RunControl& control) {
     const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
     add({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)}, ~k);
   }
-  for (int half = node.first; node.count == 0 && half < node.first + 2; ++half) {
-    const Node& inner = nodes_[static_cast<std::size_t>(half)];
-    if (inner.count > 0) add(inner.box, gather(half, control));
-    for (int k = inner.first; inner.count == 0 && k < inner.first + 2; ++k)
-      add(nodes_[static_cast<std::size_t>(k)].box, gather(k, control));
+  std::array<int, 4> below{node.first, node.first + 1};
+  std::size_t count = node.count > 0 ? 0 : 2;
+  while (count > 0 && count < below.size()) {
+    int* largest = nullptr;
+    double most = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Node& candidate = nodes_[static_cast<std::size_t>(below[i])];
+      const double area = halfArea(candidate.box.sizes());
+      if (candidate.count == 0 && area > most) most = area, largest = &below[i];
+    }
+    if (!largest) break;
+    const int child = nodes_[static_cast<std::size_t>(*largest)].first;
+    *largest = child;
+    below[count++] = child + 1;
   }
+  for (std::size_t i = 0; i < count; ++i) add(nodes_[static_cast<std::size_t>(below[i])].box, gather(below[i], control));
   fours_[static_cast<std::size_t>(at)] = four;
   return at;
 }
 
 /// Builds a node of `count` triangles. `below`: where its descendants go.
-void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Centre>& centres, int id, int first, int count, int below,
+void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Item>& items, int id, int first, int count, int below,
                         const RunControl& control) {
   Node& node = nodes_[static_cast<std::size_t>(id)];
   node.first = first;
   node.count = count;
   if (count <= kLeafSize) {
-    fillLeaf(mesh, centres, node);
+    fillLeaf(mesh, items, node);
   } else {
     Looks look(control);
-    Eigen::AlignedBox3d box;
-    const auto begin = centres.begin() + first;
-    std::for_each(begin, begin + count, [&](const Centre& c) { box.extend(c.at); });
-    int axis = 0;
-    box.sizes().maxCoeff(&axis);
-    const int left_leaves = static_cast<int>(leavesFor(count) / 2), left = kLeafSize * left_leaves;
-    std::nth_element(begin, begin + left, begin + count, [axis, &look](const Centre& a, const Centre& b) {
+    const auto begin = items.begin() + first;
+    const Split at = split(&*begin, count);
+    const int left = kLeafSize * at.left;
+    std::nth_element(begin, begin + left, begin + count, [axis = at.axis, &look](const Item& a, const Item& b) {
       look();
-      return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.triangle < b.triangle);
+      const float one = a.low[axis] + a.high[axis], other = b.low[axis] + b.high[axis];
+      return one < other || (one == other && a.triangle < b.triangle);
     });
     node.first = below;
     node.count = 0;
-    const auto build_left = [&] { build(mesh, centres, below, first, left, below + 2, control); };
-    const auto build_right = [&] { build(mesh, centres, below + 1, first + left, count - left, below + 2 * left_leaves, control); };
+    const auto build_left = [&] { build(mesh, items, below, first, left, below + 2, control); };
+    const auto build_right = [&] { build(mesh, items, below + 1, first + left, count - left, below + 2 * at.left, control); };
     if (count > kParallel) {
       control.check();
       atOnce(build_left, build_right);
@@ -162,9 +199,37 @@ void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Centre>& centres, 
   fit(id);
 }
 
-void TriangleBvh::fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf) {
+TriangleBvh::Split TriangleBvh::split(const Item* items, int count) {
+  Bin centres;
+  for (int i = 0; i < count; ++i) centres.add({items[i].twiceCentre(), items[i].twiceCentre(), 1});
+  const Eigen::Array4f size = centres.high - centres.low, perUnit = (size > 0).select(kBins / size, 0);
+  std::array<std::array<Bin, kBins>, 3> bins;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Array4f place = (items[i].twiceCentre() - centres.low) * perUnit;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      bins[axis][static_cast<std::size_t>(std::min(static_cast<int>(place[axis]), kBins - 1))].add({items[i].low, items[i].high, 1});
+  }
+  const int leaves = static_cast<int>(leavesFor(count)), least = (leaves + kLeastShare - 1) / kLeastShare;
+  Split best{0, leaves / 2};
+  double least_cost = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::array<Bin, kBins> after = bins[axis];  // each with all after it
+    for (std::size_t i = kBins - 1; i-- > 0;) after[i].add(after[i + 1]);
+    Bin before;
+    for (std::size_t i = 0; i + 1 < kBins && after[i + 1].count > 0; ++i) {
+      before.add(bins[axis][i]);
+      if (bins[axis][i].count == 0) continue;
+      const int left = std::clamp((before.count + kLeafSize / 2) / kLeafSize, least, leaves - least);
+      const double cost = before.cost(left) + after[i + 1].cost(leaves - left);
+      if (cost < least_cost) least_cost = cost, best = {static_cast<int>(axis), left};
+    }
+  }
+  return best;
+}
+
+void TriangleBvh::fillLeaf(const TriangleMesh& mesh, const std::vector<Item>& items, Node& leaf) {
   for (int k = leaf.first; k < leaf.first + leaf.count; ++k) {
-    const int t = centres[static_cast<std::size_t>(k)].triangle;
+    const int t = items[static_cast<std::size_t>(k)].triangle;
     corners_[static_cast<std::size_t>(k)] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
     index_[static_cast<std::size_t>(k)] = t;
     position_[static_cast<std::size_t>(t)] = k;

@@ -123,25 +123,31 @@ class TriangleBvh {
     std::array<int, 4> child{};
     int count = 0;
   };
-  // stack size: one pending node on each of log2(2^31 / 4) levels, and plenty to spare
-  static constexpr int kDeepest = 96;
-  // stack size: three pending on each of log4(2^31 / 4) levels, and some to spare
-  static constexpr int kDeepestFours = 3 * 24;
+  // levels: a child has at most 3/4 of a node's leaves, which are no more than 2^31 / 4; and some
+  // to spare. Stack sizes: one pending node on each level, or three.
+  static constexpr int kDeepest = 96, kDeepestFours = 3 * kDeepest;
   struct PatchPlanes;
   struct Cone {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     double angle = 0;  // [rad] half opening angle
   };
-  struct Centre {
-    Eigen::Vector3d at;
-    int triangle;
+  /// A triangle that is to be put into the tree: its box, about `centre_`, in units of `unit_`.
+  struct Item {
+    Eigen::Array4f low = Eigen::Array4f::Zero(), high = low;  // the fourth is 0
+    int triangle = 0;
+    Eigen::Array4f twiceCentre() const { return low + high; }
+  };
+  struct Split {
+    int axis;
+    int left;  // that many leaves' triangles lie lower along the axis than the others
   };
   template <class Replace>
   double windingNumber(const Eigen::Vector3d& p, const Replace& replace) const;
   Cone cone(int position) const;
-  void build(const TriangleMesh& mesh, std::vector<Centre>& centres, int node, int first, int count,
+  void build(const TriangleMesh& mesh, std::vector<Item>& items, int node, int first, int count,
              int below, const RunControl& control);
-  void fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf);
+  static Split split(const Item* items, int count);
+  void fillLeaf(const TriangleMesh& mesh, const std::vector<Item>& items, Node& leaf);
   void fit(int node);
   void fitCluster(int node);
   int gather(int node, const RunControl& control);
@@ -151,7 +157,7 @@ class TriangleBvh {
   void fitCone(int node);
 
   std::vector<Node> nodes_;       // empty without a far view, once built
-  std::vector<FourBoxes> fours_;  // the same nodes, two levels merged into one
+  std::vector<FourBoxes> fours_;  // the same nodes, some levels merged into one
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   double unit_ = 1;                                      // [m]
   std::vector<Cluster> clusters_;                        // per node; empty without a far view

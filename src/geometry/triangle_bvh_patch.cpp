@@ -18,13 +18,18 @@ constexpr double kTouch = 4e-6;
 // As a share of the extent: what is further than this from a triangle's plane lies on one side of it. More than the blur, and a thousand
 // times the rounding error in double precision, to which coordinates far from the origin add.
 constexpr double kOffPlane = 4e-9, kCoordinateRounding = 1e-12;
+// If the sine of a patch's angle is more than this, its corners lie within a fifth of kOffPlane of the plane that is computed.
+constexpr double kThinPatch = 1e-6;
 
 }  // namespace
 
 /// A patch's plane and its edges'.
 struct TriangleBvh::PatchPlanes {
   PatchPlanes(const std::array<Eigen::Vector3d, 3>& patch, double touch, double side) : corner(patch), margin(touch), off_plane(side) {
-    const Eigen::Vector3d normal = (patch[1] - patch[0]).cross(patch[2] - patch[0]).normalized();
+    const Eigen::Vector3d one = patch[1] - patch[0], other = patch[2] - patch[0];
+    Eigen::Vector3d normal = one.cross(other);
+    // Nothing is known to lie on one side of a sliver.
+    normal = normal.norm() > kThinPatch * one.norm() * other.norm() ? normal.normalized() : Eigen::Vector3d(Eigen::Vector3d::Zero());
     plane = {normal, normal.dot(patch[0])};
     for (std::size_t i = 0; i < 3; ++i) {
       const Eigen::Vector3d outward = (patch[(i + 1) % 3] - patch[i]).cross(normal).normalized();

@@ -91,7 +91,7 @@ Protrusion largestOnMesh(const TriangleMesh& mesh, const Solid& solid, double ga
   if (first.bound <= first.found + query.gap) return first;
   query.floor = first.found * (1 - 1e-9);
   Protrusion second = largestOnSurface(mesh.vertices, mesh.triangles, solid, query, control);
-  second.bound = std::min(std::max(second.bound, first.found), first.bound);
+  second.bound = std::max({std::min(second.bound, first.bound), first.found, second.found});
   return second.found >= first.found ? second : Protrusion{second.bound, first.found, first.where, first.nearest, first.hull};
 }
 

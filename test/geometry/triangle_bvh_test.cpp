@@ -370,6 +370,26 @@ TEST(TriangleBvh, WhatAPatchMeets) {
   EXPECT_LT(hardly_told, 0.01 * free) << "it need not be exact, but nearly so";
 }
 
+// From inside to outside, along a line: rounding alone decides on such a patch's normal.
+TEST(TriangleBvh, ASliverMeetsWhatItCrosses) {
+  RandomPoints random(4);
+  TriangleMesh mesh = test_shapes::box(1, 1, 1, 4);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  for (Vector3d& v : mesh.vertices) v = turn * v;
+  const TriangleBvh bvh(mesh);
+  const auto missed = [&](const Vector3d& from, const Vector3d& to, double width) {
+    const Vector3d between = from + random.number(0, 1) * (to - from) + random.inCube(width);
+    const std::array<Patch, 4> patches{Patch{from, between, to}, Patch{between, to, from}, Patch{to, from, between}, Patch{from, to, to}};
+    return std::count_if(patches.begin(), patches.end(), [&](const Patch& patch) { return !bvh.metBy(patch); });
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3d inside = turn * (Vector3d::Constant(0.5) + random.inCube(0.4));
+    const Vector3d outside = turn * Vector3d::Constant(0.5) + random.number(1, 2) * random.onSphere();
+    EXPECT_EQ(missed(inside, outside, 0), 0);
+    EXPECT_EQ(missed(inside, outside, std::pow(10.0, random.number(-17, -5))), 0);
+  }
+}
+
 // In the plane of a face, the heights above it are rounding errors.
 TEST(TriangleBvh, APatchThatTouchesTheSurfaceMeetsIt) {
   RandomPoints random(3);

@@ -59,6 +59,22 @@ TEST(MeshProtrusion, TheBoundAllowsForTheBlurOfBoth) {
 }
 
 /// The summit is anywhere in the body, and nothing on the body's surface is as far away.
+// A loose segment is searched as a triangle without area, from inside a box to outside.
+TEST(MeshProtrusion, SegmentsThatLeaveTheSolidCount) {
+  test_shapes::RandomPoints random(2);
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Matrix3d turn = random.rotation();
+    TriangleMesh cube = moved(box(2, 2, 2, 3), {-1, -1, -1});
+    for (Eigen::Vector3d& v : cube.vertices) v = turn * v;
+    const Eigen::Vector3d from = random.inCube(0.9), to = from + random.number(0.5, 2) * random.onSphere();
+    const double expected = (to.cwiseAbs() - Eigen::Vector3d::Ones()).cwiseMax(0).norm();
+    const Protrusion far = largestOnMesh({{turn * from, turn * to}, {{0, 1, 1}}}, solidOf(cube), 1e-3);
+    EXPECT_GE(far.bound, expected * (1 - 1e-9)) << i;
+    EXPECT_LE(far.found, expected * (1 + 1e-9)) << i;
+    EXPECT_GE(far.bound, far.found) << i;
+  }
+}
+
 TEST(MeshProtrusion, NoSummitIsBeyondTheBound) {
   test_shapes::RandomPoints random(10);
   const Solid solid = solidOf(test_shapes::octahedronOfSheets(0.3));

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "base/counted.h"
 #include "base/decimal.h"
@@ -183,8 +184,15 @@ class Verifier {
       links.push_back({works_[i].link, works_[i].pair.get(), &rows_[i]});
       index.push_back(i);
     }
-    const Kinematics kinematics(original_.robot);
-    const Trials trials = tryConfigurations(kinematics, links, options_.configurations, options_.seed, control_);
+    std::optional<Kinematics> kinematics;
+    try {
+      kinematics.emplace(original_.robot);
+    } catch (const Error& e) {
+      if (options_.configurations > 0) done.notes.push_back(std::string("no configuration was tried: ") + e.what());
+      done.configurations = 0;
+      return;
+    }
+    const Trials trials = tryConfigurations(*kinematics, links, options_.configurations, options_.seed, control_);
     for (std::size_t i = 0; i < index.size(); ++i) {
       LinkVerification& row = rows_[index[i]];
       const TrialCounts& counts = trials.of_link[i];

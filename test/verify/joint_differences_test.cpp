@@ -58,5 +58,16 @@ TEST(JointDifferences, AreNotedByVerify) {
       "1 joint moves otherwise in RESULT: 'j', which is prismatic there and is revolute in ORIGINAL; links are moved by ORIGINAL's joints");
 }
 
+TEST(JointDifferences, ARobotWhoseJointsLeadNowhereIsMeasuredWithoutQueries) {
+  const Description lost{arm("revolute", std::string(kLimits) + "<mimic joint='nope'/>"), PackageFinder()};
+  const Verification seen = verify(lost, lost, {});
+  EXPECT_EQ(seen.configurations, 0u);
+  EXPECT_EQ(seen.queries, 0u);
+  ASSERT_EQ(seen.links.size(), 2u);
+  EXPECT_EQ(seen.links[0].status, LinkStatus::kOk);
+  ASSERT_EQ(seen.notes.size(), 1u);
+  EXPECT_EQ(seen.notes[0], "no configuration was tried: joint 'j' mimics 'nope', which the robot does not have; correct its <mimic>");
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -134,7 +134,9 @@ struct Verification {
 /// polyhedra whose error is part of the bound. A mesh or primitive that both sides hold equally is
 /// covered and does not protrude.
 ///
-/// Deterministic apart from times. Throws kBadOption, kCancelled, and the errors of Kinematics.
+/// For a robot with joints that Kinematics refuses, no configuration is tried, and a note says so.
+///
+/// Deterministic apart from times. Throws kBadOption, kCancelled.
 Verification verify(const Description& original, const Description& result,
                     const VerifyOptions& options, const RunControl& control = {});
 

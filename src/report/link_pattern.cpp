@@ -82,9 +82,9 @@ std::regex compiled(const std::string& expression, const std::string& option) {
   try {
     return std::regex(expression, syntax);
   } catch (const std::regex_error& e) {
+    const std::string meant = expression.rfind('*', 0) == 0 ? didYouMeanAny(expression) : "";
     throw Error(ErrorCode::kBadOption, option + " '" + expression + "' is invalid: use a regular expression (ECMAScript, no " +
-                                           "back-references): " + e.what() +
-                                           (expression.rfind('*', 0) == 0 ? didYouMeanAny(expression) : ""));
+                                           "back-references)" + (meant.empty() ? std::string(": ") + e.what() : meant));
   }
 }
 

@@ -24,7 +24,12 @@ const char* name(Status status) {
 
 bool anyFailed(const Report& report) {
   const auto failed = [](const ModelReport& model) { return totals(model).failed > 0; };
-  return failed(report) || std::any_of(report.models.begin(), report.models.end(), failed);
+  return failed(report) || std::any_of(report.models.begin(), report.models.end(), failed) || isRefuted(report);
+}
+
+bool isRefuted(const Report& report) {
+  const auto refuted = [&](const ModelReport& model) { return report.options.validate && !model.validation.holds(); };
+  return refuted(report) || std::any_of(report.models.begin(), report.models.end(), refuted) || (report.scene && report.scene->missed > 0);
 }
 
 bool allFailed(const Report& report) {

@@ -308,6 +308,10 @@ std::vector<std::string> failures(const Report& report) {
     const std::vector<std::string> lines = linesFor(report, rows);
     all.insert(all.end(), lines.begin(), lines.end());
   }
+  if (isRefuted(report))
+    all.push_back(
+        "the check contradicts the proof: do not trust these hulls, and please report the mesh; "
+        "report.json has details under \"remarks\"");
   return all;
 }
 

@@ -57,7 +57,7 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   printReport(result, command,
               written ? howToUse(result, output, command.package_path) + howToLoad(command.consumers, result, output) : "");
   if (!anyFailed(result.report)) return kDone;
-  return result.single_mesh ? kWrongUse : kSomeFailed;
+  return result.single_mesh && allFailed(result.report) ? kWrongUse : kSomeFailed;
 }
 
 }  // namespace collision_hulls

@@ -112,8 +112,8 @@ std::vector<std::string> summary(const ModelReport& model, const Report& report)
 
 std::vector<std::string> warnings(const ModelReport& model, const Report& report) {
   const Totals sum = totals(model);
-  const std::size_t missed = (report.options.validate ? model.validation.missed : 0) + (report.scene ? report.scene->missed : 0);
-  const std::size_t phantom = report.options.validate ? model.validation.phantom : 0;
+  const Validation checked = report.options.validate ? model.validation : Validation();
+  const std::size_t missed = checked.missed + (report.scene ? report.scene->missed : 0);
   const auto of = [&](std::size_t part) { return grouped(part) + " of " + many(sum.meshes, "mesh", "meshes"); };
   std::vector<std::string> sentences;
   if (sum.failed > 0)
@@ -122,8 +122,9 @@ std::vector<std::string> warnings(const ModelReport& model, const Report& report
     sentences.push_back(of(sum.degraded) + (sum.degraded == 1 ? " protrudes" : " protrude") + " further than the tolerance.");
   if (missed > 0)
     sentences.push_back(many(missed, "collision") + " missed in the check: please report this as a fault of collision_hulls.");
-  if (phantom > 0)
-    sentences.push_back(many(phantom, "false collision") + " beyond the protrusion: please report this as a fault of collision_hulls.");
+  if (checked.phantom > 0)
+    sentences.push_back(many(checked.phantom, "false collision") +
+                        " beyond the protrusion: please report this as a fault of collision_hulls.");
   return sentences;
 }
 

@@ -177,6 +177,7 @@ TEST(Validate, DetectsAFilledChannel) {
   ValidationPair pair{"channel", channel, {convexHull(channel.vertices)}, 0};
   const Validation lie = run({pair}, 200);
   EXPECT_GT(lie.phantom, 5u);
+  EXPECT_FALSE(lie.holds());
   EXPECT_EQ(lie.missed, 0u);
   EXPECT_EQ(lie.disagreements, 0u);
   pair.protrusion = 0.4;

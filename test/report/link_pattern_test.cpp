@@ -29,7 +29,7 @@ TEST(LinkPattern, AStarAsInAShell) {
     LinkPattern("*_finger", "links");
     ADD_FAILURE() << "accepted";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("; did you mean '.*_finger'?"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("back-references); did you mean '.*_finger'?"), std::string::npos) << error.what();
   }
 }
 

@@ -162,6 +162,30 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
   EXPECT_EQ(table[12], "note: a note");
 }
 
+TEST(Report, WhatTheProofRulesOutIsAFailure) {
+  Report report = sample();
+  report.links.pop_back();
+  ASSERT_FALSE(anyFailed(report));
+  ASSERT_TRUE(failures(report).empty());
+  for (std::size_t Validation::*count : {&Validation::missed, &Validation::phantom}) {
+    Report refuted = report;
+    refuted.validation.*count = 1;
+    EXPECT_TRUE(isRefuted(refuted) && anyFailed(refuted));
+    ASSERT_EQ(failures(refuted).size(), 1u);
+    EXPECT_EQ(failures(refuted)[0].rfind("the check contradicts the proof: ", 0), 0u);
+    refuted.options.validate = false;
+    EXPECT_FALSE(isRefuted(refuted)) << "what was not checked is not refuted";
+  }
+  Report other = report;
+  other.models.emplace_back().validation.missed = 1;
+  EXPECT_TRUE(isRefuted(other));
+  Report in_scene = report;
+  in_scene.scene = FitReport{};
+  EXPECT_FALSE(isRefuted(in_scene));
+  in_scene.scene->missed = 1;
+  EXPECT_TRUE(isRefuted(in_scene));
+}
+
 TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
   Report report = sample();
   report.scene = FitReport{};

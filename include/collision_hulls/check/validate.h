@@ -66,6 +66,9 @@ struct Validation {
   /// One line for each miss, false collision, exception, disagreement, underestimate beyond the
   /// protrusion, and pair that was not checked; at most 20.
   std::vector<std::string> remarks;
+
+  /// Whether the queries found nothing that the proof rules out.
+  bool holds() const { return missed + phantom == 0; }
 };
 
 /// Distance queries with probes (spheres, boxes, and other elements' hulls) at seeded poses around

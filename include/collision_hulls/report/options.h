@@ -92,6 +92,7 @@ bool isSingle(Shapes shapes);  ///< kSphere and the following
 /// What can be chosen link by link. It holds for all elements of the link.
 struct LinkOptions {
   Action action = Action::kDecompose;
+  /// acceptable protrusion, and that as a share of the mesh's diagonal: the smaller one counts
   Length tolerance{0.01, 0.05};
   Method method = Method::kCertified;
   Effort effort = Effort::kQuick;
@@ -99,7 +100,7 @@ struct LinkOptions {
   std::optional<Length> tree;
   bool fill = false;      ///< cover the inside of closed meshes as well (certified)
   int max_hulls = 0;      ///< per mesh; 0: no limit
-  int max_vertices = 64;  ///< per hull; 0: no limit
+  int max_vertices = 64;  ///< per hull, at least 8; 0: no limit
   Source source = Source::kAuto;
   /// [m] >= 0: the hulls hold everything within this distance of the surface, and may protrude
   /// further by it

@@ -37,7 +37,7 @@ struct MeshFacts {
   std::size_t triangles = 0, skipped_primitives = 0;
   /// LinkOptions::close_openings closed so many; what follows is of the closed mesh
   std::size_t closed_openings = 0;
-  std::size_t openings = 0;   ///< those that are left; see openingsOf()
+  std::size_t openings = 0;   ///< those that are left, without slits; see openingsOf()
   double widest_opening = 0;  ///< of these
   RepairCounts repair;
   std::string interior;  ///< see Interior
@@ -121,14 +121,19 @@ std::string toJson(const Report& report, const RunControl& control = {});
 /// scene and the notes, in plain words. The reasons of failed rows are in failures().
 std::string toTable(const Report& report);
 
-/// A line for each failed row; a single one for all rows that miss the same package.
+/// A line for each failed row; a single one for all rows that miss the same package; and one if the
+/// result is refuted.
 std::vector<std::string> failures(const Report& report);
 
 /// The first degraded row and its reason, with how many more `where` has, as a line with its end;
 /// empty: there is none.
 std::string degradedLine(const Report& report, const std::string& where = "report.json");
 
+/// Whether a mesh failed or the result is refuted.
 bool anyFailed(const Report& report);
+
+/// Whether queries found what the proof rules out, in a check or in a scene.
+bool isRefuted(const Report& report);
 
 /// Whether nothing is worth writing: every mesh failed, there were some, and fewer links have
 /// primitives alone.

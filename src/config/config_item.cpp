@@ -15,19 +15,12 @@ namespace {
 
 constexpr std::size_t kShown = 60;  // characters of a value in a message
 
-/// Whether a key is rather the second half of a value: {tolerance: 1cm,5%}.
-bool isRestOfValue(const std::string& name, const YamlValue& value) {
-  return value.isNull() && !name.empty() && name.front() >= '0' && name.front() <= '9';
-}
-
 [[noreturn]] void refuseKey(const YamlValue& key, const YamlValue& value, const ConfigReaders& readers, const std::string& place,
                             const KeyHint& hint) {
   std::vector<std::string> known;
   for (const auto& [of, reader] : readers) known.push_back(of);
   const std::string name = plainText(key, "a key");
-  if (isRestOfValue(name, value))
-    key.fail(shortQuoted(name) + " stands alone" + (place.empty() ? "" : " in " + place) +
-             ": put a value with a comma into quotes, as in {tolerance: '1cm,5%'}");
+  refuseRestOfValue(key, value, place);
   const std::string hinted = hint ? hint(name) : "";
   key.fail(shortQuoted(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + listed(known) +
            (hinted.empty() ? didYouMean(name, known) : hinted));
@@ -47,6 +40,13 @@ std::string plainText(const YamlValue& value, const std::string& item) {
   std::string text = value.text();
   if (std::any_of(text.begin(), text.end(), isControl)) value.fail(item + " holds a control character; leave it out");
   return text;
+}
+
+void refuseRestOfValue(const YamlValue& key, const YamlValue& value, const std::string& place) {
+  const std::string name = plainText(key, "a key");
+  if (value.isNull() && !name.empty() && name.front() >= '0' && name.front() <= '9')
+    key.fail(shortQuoted(name) + " stands alone" + (place.empty() ? "" : " in " + place) +
+             ": put a value with a comma into quotes, as in {tolerance: '1cm,5%'}");
 }
 
 void ConfigItem::refuse(const std::string& expected) const {
@@ -85,7 +85,7 @@ void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::st
     const std::string name = plainText(key, "a key");
     const auto reader = std::find_if(readers.begin(), readers.end(), [&](const auto& r) { return r.first == name; });
     if (reader == readers.end()) refuseKey(key, value, readers, item.name, hint);
-    reader->second({value, item.name.empty() ? name : name + " of " + item.name});
+    reader->second({value, item.name.empty() ? name : name + " of " + item.name, name, item.name});
   }
 }
 

@@ -16,10 +16,17 @@ std::string shortQuoted(const std::string& text);
 /// A text that messages may quote: a terminal would obey control characters. Throws at one.
 std::string plainText(const YamlValue& value, const std::string& item);
 
+/// Throws where a key is rather the second half of a value: {tolerance: 1cm,5%}. `place`: the name of its map, for the message.
+void refuseRestOfValue(const YamlValue& key, const YamlValue& value, const std::string& place);
+
 /// A value with what it is, as messages say it: "max_hulls of links 'arm_.*'".
 struct ConfigItem {
   const YamlValue& value;
   std::string name;
+  std::string key = name, owner = "";  ///< in the map that it stands in: "max_hulls", "links 'arm_.*'"
+
+  /// In front of a message that begins with the key: "'f.yaml', line 2: links 'arm_.*'".
+  std::string place() const { return value.where() + (owner.empty() ? "" : ": " + owner); }
 
   /// "tolerance of links 'arm' is 'x': use a length".
   [[noreturn]] void refuse(const std::string& expected) const;

@@ -186,7 +186,7 @@ LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& rob
     if (rule.pattern.empty())
       throw Error(ErrorCode::kBadOption, at(rule.place) + "region '" + rule.name + "' names no link of robot '" + robot.name +
                                              "': add one, as in link: " + linkWithMesh(robot));
-    regions.add(rule.pattern, "link of region '" + rule.name + "'", rule.place);
+    regions.add(rule.pattern, "region '" + rule.name + "': its link", rule.place);
   }
   std::size_t region_uses = 0;
   for (const LinkDescription& link : robot.links) {

@@ -39,16 +39,16 @@ void read(const ConfigItem& item, int& number) {
 
 void read(const ConfigItem& item, Length& length) {
   const std::string text = item.text("a length, as in 5mm");
-  inContext(item.value.where(), [&] {
-    length = parseLength(text, item.name);
-    checkTolerance(length, item.name);
+  inContext(item.place(), [&] {
+    length = parseLength(text, item.key);
+    checkTolerance(length, item.key);
   });
 }
 
 /// A padding, or the width of openings.
 void read(const ConfigItem& item, double& metres) {
   const std::string text = item.text("a length, as in 2cm, or 0");
-  inContext(item.value.where(), [&] { metres = parsePadding(text, item.name); });
+  inContext(item.place(), [&] { metres = parsePadding(text, item.key); });
 }
 
 template <typename T>
@@ -245,8 +245,10 @@ class Reader {
     expectDifferentKeys(item.value, "models");
     for (const auto& [key, value] : item.value.entries()) {
       control_.check();
+      refuseRestOfValue(key, value, "models");
       ModelOptions model{plainText(key, "a key"), {}};
-      collision_hulls::read({value, "tolerance of model " + shortQuoted(model.name)}, model.tolerance);
+      const std::string name = "model " + shortQuoted(model.name);
+      collision_hulls::read({value, "tolerance of " + name, "tolerance", name}, model.tolerance);
       result_.models.push_back(model);
       Options alone;
       alone.models = {model};

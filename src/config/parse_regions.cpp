@@ -22,23 +22,23 @@ constexpr std::size_t kMostRegions = 1000;
 constexpr const char* kMetres = "a finite number of metres, as in 0.1";
 constexpr char kExample[] = "{link: hand, box: {center: [0, 0, 0.1], size: [0.1, 0.2, 0.05]}, keep_clear: true}";
 
-/// `entry_expected`: what one of its entries should be.
-void readVector(const ConfigItem& item, const std::string& entry_expected, Eigen::Vector3d& vector) {
+/// `entry_name`, `entry_expected`: what one of its entries is called in a message, and what it should be.
+void readVector(const ConfigItem& item, const std::string& entry_name, const std::string& entry_expected, Eigen::Vector3d& vector) {
   const std::string expected = "a list of three numbers, as in [0, 0, 0.1]";
   if (!item.value.isSequence()) item.refuse(expected);
   const std::size_t entries = item.value.items().size();
   if (entries != 3) item.value.fail(item.name + " has " + counted(entries, "entry", "entries") + ": use " + expected);
   int i = 0;
-  for (const YamlValue& entry : item.value.items()) vector[i++] = ConfigItem{entry, "an entry of " + item.name}.number(entry_expected);
+  for (const YamlValue& entry : item.value.items()) vector[i++] = ConfigItem{entry, entry_name}.number(entry_expected);
 }
 
 /// 0 means clear.
 void readTolerance(const ConfigItem& item, double& tolerance) {
   const std::string text = item.text("a length, as in 1mm, or 0 to keep the region clear");
-  inContext(item.value.where(), [&] {
-    tolerance = parseMetresOrZero(text, item.name);
+  inContext(item.place(), [&] {
+    tolerance = parseMetresOrZero(text, item.key);
     if (tolerance == 0) tolerance = kRegionSlack;
-    checkTolerance(lengthOf(tolerance), item.name);
+    checkTolerance(lengthOf(tolerance), item.key);
   });
 }
 
@@ -58,6 +58,7 @@ std::string yaml(const RegionHalfSpace& half_space) {
 class RegionReader {
  public:
   RegionRule read(const ConfigItem& item) {
+    name_ = item.name;
     readMap(item,
             {{"link", [this](const ConfigItem& of) { readLink(of); }},
              {"name", [this](const ConfigItem& of) { rule_.name = of.text("a name, for the report"); }},
@@ -81,13 +82,15 @@ class RegionReader {
  private:
   void readLink(const ConfigItem& item) {
     rule_.pattern = item.text("a link's name, or a regular expression");
-    inContext(item.value.where(), [&] { LinkPattern(rule_.pattern, item.name); });
+    inContext(item.value.where(), [&] { LinkPattern(rule_.pattern, name_ + ": its link"); });
   }
 
   void readBox(const ConfigItem& item) {
     RegionBox box;
-    const auto take = [](const char* expected, Eigen::Vector3d& vector) {
-      return [expected, &vector](const ConfigItem& of) { readVector(of, expected, vector); };
+    const auto take = [this](const char* expected, Eigen::Vector3d& vector) {
+      return [this, expected, &vector](const ConfigItem& of) {
+        readVector(of, name_ + ": an entry of its box's " + of.key, expected, vector);
+      };
     };
     readMap(item,
             {{"center", take(kMetres, box.center)},
@@ -104,7 +107,10 @@ class RegionReader {
   void readHalfSpace(const ConfigItem& item) {
     RegionHalfSpace half_space;
     readMap(item,
-            {{"normal", [&](const ConfigItem& of) { readVector(of, "a finite number, as in 0.1", half_space.normal); }},
+            {{"normal",
+              [&](const ConfigItem& of) {
+                readVector(of, name_ + ": an entry of its half-space's normal", "a finite number, as in 0.1", half_space.normal);
+              }},
              {"offset", [&](const ConfigItem& of) { half_space.offset = of.number(kMetres); }}},
             "a map such as {normal: [0, 0, -1], offset: 0}, which points into the region");
     if (!item.value.has("normal")) item.value.fail(item.name + " has no normal: add one that points into the region, as in [0, 0, -1]");
@@ -118,6 +124,7 @@ class RegionReader {
   }
 
   RegionRule rule_;
+  std::string name_;  // in messages
   int shapes_ = 0;
   bool clear_ = false;
   std::optional<double> tolerance_;

@@ -96,7 +96,7 @@ ConsumerFiles curoboFiles(const WrittenModel& model, const std::vector<DisabledP
       "# For the kinematics section of a cuRobo robot configuration. Metres, in the links' frames.\ncollision_link_names: " +
       listOf(links) + "\ncollision_spheres:" + (spheres.empty() ? " {}\n" : "\n" + spheres) +
       "self_collision_ignore:" + (ignore.empty() ? " {}\n" : "\n" + ignore);
-  return {{"config/" + fileName(model.robot().name) + "_spheres.yml", text}};
+  return {{"config/" + robotFileName(model.robot().name) + "_spheres.yml", text}};
 }
 
 }  // namespace collision_hulls

@@ -126,7 +126,7 @@ class SkelWriter {
 }  // namespace
 
 ConsumerFiles dartFiles(const WrittenModel& model) {
-  return {{"skel/" + fileName(model.robot().name) + ".skel", SkelWriter(model).text()}};
+  return {{"skel/" + robotFileName(model.robot().name) + ".skel", SkelWriter(model).text()}};
 }
 
 std::vector<std::string> dartNotes(const WrittenModel& model) {

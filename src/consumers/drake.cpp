@@ -6,7 +6,7 @@
 namespace collision_hulls {
 
 ConsumerFiles drakeFiles(const WrittenModel& model) {
-  return {{"urdf/" + fileName(model.robot().name) + "_drake.urdf",
+  return {{"urdf/" + robotFileName(model.robot().name) + "_drake.urdf",
            withMarkedHulls(model, "", "<drake:declare_convex/>", " xmlns:drake=\"http://drake.mit.edu\"")}};
 }
 

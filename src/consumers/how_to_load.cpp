@@ -15,7 +15,8 @@ namespace {
 /// The file, and what is done with it.
 std::string wayOf(Consumer consumer, const RobotResult& result, const fs::path& place) {
   const Options& options = result.report.options;
-  const std::string package = outputPackage(options, place.string()), folder = place.string() + "/", robot = fileName(result.robot_name);
+  const std::string package = outputPackage(options, place.string()), folder = place.string() + "/",
+                    robot = robotFileName(result.robot_name);
   const std::string instead = " in place of " + urdfFile(result.robot_name);
   switch (consumer) {
     case Consumer::kMoveit: return folder + "config/" + robot + ".srdf, whose elements go into your SRDF";

@@ -110,7 +110,7 @@ class UsdWriter {
 }  // namespace
 
 ConsumerFiles isaacFiles(const WrittenModel& model) {
-  return {{"usd/" + fileName(model.robot().name) + ".usda", UsdWriter(model).text()}};
+  return {{"usd/" + robotFileName(model.robot().name) + ".usda", UsdWriter(model).text()}};
 }
 
 std::vector<std::string> isaacNotes(const WrittenModel& model) {

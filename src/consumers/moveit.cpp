@@ -28,7 +28,7 @@ std::vector<SphereApproximation> spheresOf(const RobotDescription& robot) {
 
 ConsumerFiles moveitFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs) {
   const std::string& name = model.robot().name;
-  return {{"config/" + fileName(name) + ".srdf", srdfFragment(name, pairs, spheresOf(model.robot()))}};
+  return {{"config/" + robotFileName(name) + ".srdf", srdfFragment(name, pairs, spheresOf(model.robot()))}};
 }
 
 }  // namespace collision_hulls

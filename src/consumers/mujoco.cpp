@@ -198,7 +198,7 @@ std::vector<std::string> mujocoNotes(const WrittenModel& model) {
 }
 
 ConsumerFiles mujocoFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control) {
-  return {{"mjcf/" + fileName(model.robot().name) + ".xml", MjcfWriter(model, pairs, control).text()}};
+  return {{"mjcf/" + robotFileName(model.robot().name) + ".xml", MjcfWriter(model, pairs, control).text()}};
 }
 
 }  // namespace collision_hulls

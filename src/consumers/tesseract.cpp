@@ -6,7 +6,7 @@
 namespace collision_hulls {
 
 ConsumerFiles tesseractFiles(const WrittenModel& model) {
-  return {{"urdf/" + fileName(model.robot().name) + "_tesseract.urdf",
+  return {{"urdf/" + robotFileName(model.robot().name) + "_tesseract.urdf",
            withMarkedHulls(model, " tesseract:make_convex=\"true\"", "",
                            " xmlns:tesseract=\"https://github.com/tesseract-robotics/tesseract\"")}};
 }

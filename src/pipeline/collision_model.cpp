@@ -195,13 +195,20 @@ std::string newDescription(const RobotResult& result, const std::string& output)
   return (replacedFolder(output) / urdfFile(result.robot_name)).string();
 }
 
+/// Whether a mesh of the input is where its URI says.
+bool leadsSomewhere(const std::string& uri, const RobotDescription& robot, const PackageFinder& find_package) try {
+  return !resolveUri(uri, robot.path, find_package).empty();
+} catch (const Error&) {
+  return false;
+}
+
 /// On meshes that the new description still names relative to the old one's folder; `rebased`: URIs that are relative to the new one's.
-std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output, const std::set<std::string>& rebased,
-                                          const RunControl& control) {
+std::vector<std::string> notesOnRewritten(const RobotDescription& robot, const PackageFinder& find_package, const RobotResult& result,
+                                          const std::string& output, const std::set<std::string>& rebased, const RunControl& control) {
   if (allFailed(result.report)) return {};  // nothing is written
   const Options& options = result.report.options;
   const std::string prefix = uriPrefix(options, output);
-  std::set<std::string> hulls = rebased, kept;
+  std::set<std::string> hulls = rebased, kept, lost;
   for (const auto& [file, content] : result.kept_files) hulls.insert(prefix + file);
   for (const ElementReport& row : result.report.links) {
     for (const std::string& file : row.files) hulls.insert(prefix + file);
@@ -215,11 +222,21 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
       }
     }
   }
-  if (kept.empty()) return {};
-  const std::string are = kept.size() == 1 ? " is" : " are";
-  return {counted(kept.size(), "mesh URI") + are + " relative to the folder of the input, such as '" + *kept.begin() + "', and " +
-          (options.rebase ? "stayed so, as no file that may be read was found there: correct the input"
-                          : "will not be found from '" + newDescription(result, output) + "': add --rebase")};
+  for (auto uri = kept.begin(); uri != kept.end();) {
+    control.check();
+    const auto next = std::next(uri);
+    if (options.rebase || !leadsSomewhere(*uri, robot, find_package)) lost.insert(kept.extract(uri));
+    uri = next;
+  }
+  std::vector<std::string> notes;
+  const auto note = [&](const std::set<std::string>& uris, const std::string& what) {
+    if (uris.empty()) return;
+    notes.push_back(counted(uris.size(), "mesh URI") + (uris.size() == 1 ? " is" : " are") +
+                    " relative to the folder of the input, such as '" + *uris.begin() + "', and " + what);
+  };
+  note(kept, "will not be found from '" + newDescription(result, output) + "': add --rebase");
+  note(lost, "stayed so, as no file that may be read was found there: correct the input");
+  return notes;
 }
 
 /// The URIs of all meshes.
@@ -328,7 +345,7 @@ std::string placeOfUris(const Options& options, const std::string& output) {
 }
 
 std::string urdfFile(const std::string& robot_name, const std::string& model) {
-  return "urdf/" + fileName(robot_name) + (model.empty() ? "" : "_" + model) + ".urdf";
+  return "urdf/" + robotFileName(robot_name) + (model.empty() ? "" : "_" + model) + ".urdf";
 }
 
 void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions, const PackageFinder& find_package,
@@ -355,7 +372,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
        {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnBare(robot, decisions.front()),
         notesOnFlat(robot, decisions.front()), notesOnIdle(robot, decisions.front(), options, control), notes,
         notesOnAgain(robot, result.report, find_package, output, control), notesOnFailed(robot, result), notesOnCarried(result),
-        notesOnRewritten(result, output, source.uris, control), notesOnStandIns(robot, find_package, result, control),
+        notesOnRewritten(robot, find_package, result, output, source.uris, control), notesOnStandIns(robot, find_package, result, control),
         notesOnContacts(result), notesOnMujoco(result)})
     all.insert(all.end(), more.begin(), more.end());
 }

@@ -334,7 +334,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
     result.scene = surfaceOf(request.scene);
-    result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
+    result.extra_files["config/" + robotFileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
     const Totals sums = totals(result.report);
     for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);
   }

@@ -138,7 +138,8 @@ std::string meantBy(const fs::path& file) {
   if (isRobotFile(input) || isMeshFile(input))
     throw Error(ErrorCode::kFileNotFound, "'" + input + "' does not exist" +
                                               (place == input || place.empty() ? "" : " (looked for '" + place + "')") + meantBy(input));
-  const std::string text = "'" + input + "' is neither a file nor the folder of a package ('" + place + "')";
+  const std::string text =
+      "'" + input + "' is neither a file nor the folder of a package" + (place == input || place.empty() ? "" : " ('" + place + "')");
   if (!package_tried) throw Error(ErrorCode::kFileNotFound, text + "; check the path");
   const char* const packages = std::getenv("ROS_PACKAGE_PATH");
   throw Error(ErrorCode::kPackageNotFound,

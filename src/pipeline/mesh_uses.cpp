@@ -23,6 +23,14 @@ bool isMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh;
 }
 
+bool hasGeometry(const LinkDescription& link) {
+  const auto is_some = [](const GeometryElement& element) {
+    return element.kind != GeometryElement::Kind::kNone || !element.fault.empty();
+  };
+  return std::any_of(link.visuals.begin(), link.visuals.end(), is_some) ||
+         std::any_of(link.collisions.begin(), link.collisions.end(), is_some);
+}
+
 constexpr std::size_t kMostNames = 5;  // in a note
 
 bool isDecomposed(const LinkOptions* options) {
@@ -191,6 +199,7 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
       for (std::string& note : notesOnNew(robot, decisions)) notes.push_back(std::move(note));
     return notes;
   }
+  if (std::none_of(robot.links.begin(), robot.links.end(), hasGeometry)) return {"the robot has no geometry: nothing of it can collide"};
   std::ptrdiff_t visuals = 0, collisions = 0, chosen = 0;
   std::size_t is_new = 0;  // links whose visual primitives become collision elements
   for (const LinkDescription& link : robot.links) {
@@ -199,7 +208,7 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
     visuals += std::count_if(link.visuals.begin(), link.visuals.end(), isMesh);
     collisions += std::count_if(link.collisions.begin(), link.collisions.end(), isMesh);
     const SourceElements source = sourceElements(link, decisions.of(link.name)->source);
-    is_new += source.visual && !source.elements.empty();
+    is_new += source.visual && std::any_of(source.elements.begin(), source.elements.end(), isSolidPrimitive);
   }
   if (chosen == 0) return {"there is no mesh to decompose: all links are kept or removed"};
   const auto others = [](std::ptrdiff_t count, const std::string& kind) {
@@ -321,6 +330,13 @@ UriResolver resolverFor(const RobotDescription& robot, const PackageFinder& find
   };
 }
 
+/// A mesh that cannot be read, for what is being thrown.
+static std::shared_ptr<const MeshResult> failedMesh() {
+  MeshResult failed;
+  fail(failed);
+  return std::make_shared<const MeshResult>(std::move(failed));
+}
+
 MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const MeshLimits& limits, const RunControl& control) {
   MeshTasks result;
   result.done.resize(uses.size());
@@ -338,9 +354,15 @@ MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve
       if (is_new) result.tasks.push_back(std::move(task));
       addVariant(uses[i].options, i, result.tasks[place->second].variants);
     } catch (...) {
-      MeshResult failed;
-      fail(failed);
-      result.done[i] = std::make_shared<const MeshResult>(std::move(failed));
+      result.done[i] = failedMesh();
+    }
+  }
+  for (std::size_t i = 0; i < uses.size(); ++i) {  // again: by now a folder may stand in for the package
+    if (!result.done[i] || result.done[i]->error != name(ErrorCode::kPackageNotFound)) continue;
+    try {
+      resolve(uses[i].source.uri);
+    } catch (...) {
+      result.done[i] = failedMesh();
     }
   }
   std::stable_sort(result.tasks.begin(), result.tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });

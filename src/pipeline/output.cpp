@@ -69,7 +69,7 @@ std::map<std::string, std::string> otherFiles(const RobotResult& result, const s
   files[urdfFile(result.robot_name)] = result.urdf;
   for (std::size_t i = 0; i < result.models.size(); ++i)
     files[urdfFile(result.robot_name, result.report.models[i].model)] = result.models[i].urdf;
-  files["config/" + fileName(result.robot_name) + "_hulls.yaml"] = configText(result.report.options);
+  files["config/" + robotFileName(result.robot_name) + "_hulls.yaml"] = configText(result.report.options);
   files["package.xml"] = packageXml(package, result, control);
   files["CMakeLists.txt"] = cmakeLists(package, result);
   return files;

@@ -280,6 +280,18 @@ void noteClosedOpenings(Report& report) {
                          " closed: the hulls cover the lids, too, and protrusion is measured from the closed meshes");
 }
 
+/// What is certified of padded hulls is measured from the mesh, as of all others.
+void notePadding(Report& report) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const ElementReport& row : report.links) {
+    if (!isDone(row)) continue;
+    least = std::min(least, row.padding);
+    most = std::max(most, row.padding);
+  }
+  if (most > 0)
+    report.notes.push_back("the protrusion includes the padding of " + std::string(least < most ? "up to " : "") + millimetres(most));
+}
+
 /// [m] At most the distance of the mesh's convex hull from the region; below 0 where no side of the region has the whole mesh behind it.
 double gapTo(const Region& region, const TriangleMesh& mesh) {
   double gap = -std::numeric_limits<double>::infinity();
@@ -372,6 +384,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
     noteOpenShells(result.report);
   }
   noteClosedOpenings(result.report);
+  notePadding(result.report);
   noteFarRegions(result);
   noteCoarseRegions(result.report);
   noteSmallMeshes(result.report);

@@ -33,6 +33,17 @@ Effort effortOf(const LinkOptions& options) {
   return options.method == Method::kCertified ? options.effort : Effort::kQuick;
 }
 
+/// Whether an opening is the gap between an edge and others along it, such as at a T-junction: nothing passes through.
+bool isSlit(const Opening& opening) {
+  constexpr double kSlit = 1e-3;  // of the width squared: the area of a lid
+  double area = 0;
+  for (std::size_t i = 0; i < opening.rim.size(); ++i) {
+    const Eigen::Vector3d &a = opening.rim[i], &b = opening.rim[(i + 1) % opening.rim.size()];
+    area += (a - opening.center).cross(b - opening.center).norm() / 2;
+  }
+  return area <= kSlit * opening.width * opening.width;
+}
+
 /// Closes openings of a mesh up to a width [m] and tells what it finds. Whether it closed any.
 bool closeAsAsked(const RepairedMesh& repaired, double width, const RunControl& control, MeshResult& result) {
   MeshFacts& facts = result.mesh;
@@ -40,7 +51,7 @@ bool closeAsAsked(const RepairedMesh& repaired, double width, const RunControl& 
     if (opening.width <= width) {
       ++facts.closed_openings;
       addLid(opening, result.original);
-    } else {
+    } else if (!isSlit(opening)) {
       ++facts.openings;
       facts.widest_opening = std::max(facts.widest_opening, opening.width);
     }

@@ -1,7 +1,8 @@
 // The robot descriptions that a package offers, without files that hold nothing but macros, materials and properties for others.
 //
 // Xacro files are judged as they are written, since expanding them takes a second each, and other packages. A file that consists of
-// includes is a robot if one of the files that it includes adds parts to it.
+// includes is a robot if one of the files that it includes adds parts to it. Calls of macros add parts only where there is a link: in the
+// file, or in those that it includes.
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -58,6 +59,30 @@ std::vector<std::string> includedNames(const XmlNode& parent) {
   return names;
 }
 
+/// Whether a text has a link, be it in a macro.
+bool hasLink(const std::string& text) {
+  const std::string tag = "<link", ends = " \t\r\n/>";
+  for (std::size_t at = text.find(tag); at != std::string::npos; at = text.find(tag, at + 1)) {
+    const std::size_t end = at + tag.size();
+    if (end < text.size() && ends.find(text[end]) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// Parts of other descriptions by their names, such as arm.transmission.xacro and materials.urdf.xacro.
+bool isNamedAsPart(const fs::path& path) {
+  const std::string name = inLowerCase(path.filename().string()), first = name.substr(0, name.find('.'));
+  return name.find(".gazebo") != std::string::npos || name.find(".transmission") != std::string::npos || first == "common" ||
+         first == "const" || first == "materials";
+}
+
+/// All files, if none has another name.
+std::vector<std::string> withoutNamedParts(const std::vector<std::string>& files) {
+  std::vector<std::string> others;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(others), [](const std::string& file) { return !isNamedAsPart(file); });
+  return others.empty() ? files : others;
+}
+
 /// Files of one package, judged by what is in them.
 class Judge {
  public:
@@ -66,35 +91,47 @@ class Judge {
     find_ = "$(find " + (known ? known->name : fs::absolute(package_ / "").parent_path().filename().string()) + ")/";
   }
 
-  /// True for an unreadable file, so that its reader can say what is wrong.
-  bool isDescription(const fs::path& path) {
-    const fs::path file = path.lexically_normal();
-    const auto [known, is_new] = descriptions_.emplace(file, false);  // of files that include each other, the first is asked
-    if (!is_new) return known->second;
-    ++depth_;
-    const bool is_robot = depth_ > kMostIncludes || bytes_ > kMostBytes || holdsRobot(file);
-    --depth_;
-    return descriptions_[file] = is_robot;
-  }
+  bool isDescription(const fs::path& path) { return judged(path).is_robot; }
 
   bool isIncluded(const fs::path& path) const { return included_.count(path.lexically_normal()) > 0; }
 
  private:
-  bool holdsRobot(const fs::path& file) try {
+  struct Judgement {
+    bool is_robot = false;
+    bool has_links = false;  // or a file that it includes
+  };
+
+  /// Both for an unreadable file, so that its reader can say what is wrong.
+  Judgement judged(const fs::path& path) {
+    const fs::path file = path.lexically_normal();
+    const auto [known, is_new] = judgements_.emplace(file, Judgement());  // of files that include each other, the first is asked
+    if (!is_new) return known->second;
+    ++depth_;
+    const Judgement judgement = depth_ > kMostIncludes || bytes_ > kMostBytes ? Judgement{true, true} : look(file);
+    --depth_;
+    return judgements_[file] = judgement;
+  }
+
+  Judgement look(const fs::path& file) try {
     const std::string text = readTextFile(file.string(), "robot description");
     bytes_ += text.size();
     const XmlNode root = parseXml(text, "'" + file.string() + "'");
-    bool holds = std::any_of(root.children.begin(), root.children.end(), makesParts);
-    const bool is_robot = !root.attribute("name").empty() && root.child("xacro:macro") == nullptr;
+    const bool is_whole = !root.attribute("name").empty() && root.child("xacro:macro") == nullptr;
+    Judgement result{false, hasLink(text)};
     for (const std::string& name : includedNames(root)) {
       const fs::path included = fileNamed(name, file);
       const bool is_here = isFile(included);
       if (is_here) included_.insert(included);
-      if (is_here ? isDescription(included) : is_robot) holds = true;  // a file of another package adds parts, presumably
+      // A file of another package adds parts, presumably.
+      const Judgement other = is_here ? judged(included) : Judgement{is_whole, true};
+      result.is_robot = result.is_robot || other.is_robot;
+      result.has_links = result.has_links || other.has_links;
     }
-    return holds;
+    const bool has_parts = std::any_of(root.children.begin(), root.children.end(), makesParts);
+    result.is_robot = result.is_robot || (has_parts && result.has_links);
+    return result;
   } catch (const Error&) {
-    return true;
+    return {true, true};
   }
 
   fs::path fileNamed(const std::string& name, const fs::path& includer) const {
@@ -106,7 +143,7 @@ class Judge {
   std::string find_;  // what an include of a file of this package begins with
   int depth_ = 0;
   std::size_t bytes_ = 0;
-  std::map<fs::path, bool> descriptions_;
+  std::map<fs::path, Judgement> judgements_;
   std::set<fs::path> included_;
 };
 
@@ -121,7 +158,7 @@ std::vector<std::string> robotsAmong(const std::vector<std::string>& files, cons
 }
 
 /// The same for files of several packages, package by package: what "$(find NAME)" means depends on it. All files of a package in which
-/// none is a robot.
+/// none is a robot, but for those with names of parts.
 void judgeByPackage(const std::vector<std::string>& files, const fs::path& folder, FoundDescriptions& found) {
   std::map<fs::path, std::vector<std::string>> by_package;
   for (const std::string& file : files) {
@@ -130,7 +167,8 @@ void judgeByPackage(const std::vector<std::string>& files, const fs::path& folde
   }
   found.are_parts = !files.empty();
   for (const auto& [package, of_package] : by_package) {
-    const std::vector<std::string> robots = robotsAmong(of_package, package), &chosen = robots.empty() ? of_package : robots;
+    const std::vector<std::string> robots = robotsAmong(of_package, package),
+                                   chosen = robots.empty() ? withoutNamedParts(of_package) : robots;
     found.files.insert(found.files.end(), chosen.begin(), chosen.end());
     found.are_parts = found.are_parts && robots.empty();
   }

@@ -174,6 +174,12 @@ class PackageFinder::Search {
     return "";
   }
 
+  std::string standIn(const std::string& package) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto used = stand_ins_.find(package);
+    return used == stand_ins_.end() ? "" : used->second;
+  }
+
   std::vector<std::string> notes() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return notes_;
@@ -232,6 +238,8 @@ class PackageFinder::Search {
   std::string remember(const std::string& package, const std::optional<std::string>& known, const fs::path& folder) {
     note("package '" + package + (known ? "' in '" + *known + "' lacks some of its files: " : "' was not found: ") + "the folder '" +
          folder.string() + "' was used in its place");
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!known) stand_ins_.emplace(package, folder.string());
     return folder.string();
   }
 
@@ -247,6 +255,7 @@ class PackageFinder::Search {
   std::unique_ptr<const PackageCrawl> ros_crawl_, given_crawl_;
   mutable std::mutex mutex_;  // guards all below
   std::vector<std::string> notes_;
+  std::map<std::string, std::string> stand_ins_;                     // by package: the first one
   std::map<std::string, std::map<std::string, std::string>> names_;  // by folder and in lower case: of its entries
 };
 
@@ -288,6 +297,10 @@ std::optional<std::string> PackageFinder::inOtherCase(const std::string& path) c
 std::optional<std::string> PackageFinder::nearbyInOtherCase(const std::string& package, const std::string& rest,
                                                             const std::string& base) const {
   return search_->nearbyInOtherCase(package, rest, base);
+}
+
+std::string PackageFinder::standIn(const std::string& package) const {
+  return search_->standIn(package);
 }
 
 std::string PackageFinder::packageWith(const std::string& path) const {

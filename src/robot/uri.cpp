@@ -161,6 +161,10 @@ std::string remedyFor(const std::string& uri) {
     const std::string package = in_package->package;
     if (const auto other = find_package.nearbyInOtherCase(package, in_package->rest, base))
       throw Error(ErrorCode::kFileNotFound, "'" + uri + "' was not found, but '" + *other + "' was" + remedy);
+    if (const std::string folder = find_package.standIn(package); !folder.empty())
+      throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist in '" + folder + "', which is used in place of package '" +
+                                                package + "': correct the URI, or say where the package is with --package-path " + package +
+                                                "=DIR");
     // Without the URI: links that lack the same package then fail for the same reason, which is said once.
     throw Error(ErrorCode::kPackageNotFound, "package '" + package + "' was not found: install it and source its workspace, or say " +
                                                  "where it is with --package-path " + package + "=DIR");

@@ -59,6 +59,10 @@ StepCallback logged(const StepCallback& step) {
   };
 }
 
+bool isBlank(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
 }  // namespace
 
 Node::Node()
@@ -90,7 +94,13 @@ bool Node::startsAtOnce() const {
 }
 
 void Node::decomposeAtStart() {
-  const auto work = [this](const RunControl& control) { answered<DecomposeResponse>([&] { return decompose({}, control, {}); }); };
+  const auto decomposed = [this](const RunControl& control) {
+    const auto [name, text] = robotParameter();
+    if (isBlank(text.value_or("")))
+      throw Error(ErrorCode::kFileNotFound, "no robot description: start with robot:=FILE, or set the parameter " + name);
+    return decompose({}, control, {});
+  };
+  const auto work = [decomposed](const RunControl& control) { answered<DecomposeResponse>([&] { return decomposed(control); }); };
   worker_.start({"the robot description found at start-up", work, [] {}});
 }
 
@@ -171,7 +181,7 @@ ValidateResponse Node::validate(const ValidateRequest& request, const RunControl
   const PackageFinder find_package = places_.packageFinder(robot.path);
   const Validation found = validateLinks(robot, find_package, readOptions(private_), links, control, job.stated(logged(step)));
   ValidateResponse response;
-  response.success = found.missed + found.phantom == 0;
+  response.success = found.holds();
   response.message = summary(found);
   response.queries = static_cast<std::uint32_t>(found.queries);
   response.missed = static_cast<std::uint32_t>(found.missed);
@@ -203,22 +213,26 @@ std::string Node::outputFor(const Request& request, const Input& input, const Ru
   return output;
 }
 
+/// Its name, and its value if that is a text.
+std::pair<std::string, std::optional<std::string>> Node::robotParameter() const {
+  std::string name, text;
+  if (node_.searchParam("robot_description", name) && node_.getParam(name, text)) return {name, text};
+  return {node_.resolveName("robot_description"), std::nullopt};
+}
+
 /// ~base belongs to the parameter's text: what a request brings comes from elsewhere, where other meshes may have the same names. A
 /// request's own base counts in any case.
 RobotDescription Node::readRobot(const std::string& text, const std::string& base, const RunControl& control) const {
-  std::string key, parameter;
-  const bool has_parameter = node_.searchParam("robot_description", key) && node_.getParam(key, parameter);
+  const auto [key, value] = robotParameter();
+  const std::string parameter = value.value_or("");
   checkBase(base);
   if (!text.empty() && (!base.empty() || text != parameter)) {
     refusePath("robot_description", text, {".urdf", ".xacro"}, "send the text of the URDF, and the path as `base`");
     return parseRobotDescription(text, base, control);
   }
-  if (parameter.find_first_not_of(" \t\r\n") == std::string::npos) {
-    throw Error(ErrorCode::kFileNotFound,
-                "no robot description: the request has none, and the parameter " +
-                    (has_parameter ? key + " is empty" : node_.resolveName("robot_description") + " is not set to a text") +
-                    "; give one or the other");
-  }
+  if (isBlank(parameter))
+    throw Error(ErrorCode::kFileNotFound, "no robot description: the request has none, and the parameter " + key +
+                                              (value ? " is empty" : " is not set to a text") + "; give one or the other");
   refusePath("robot_description", parameter, {".urdf", ".xacro"},
              "set the parameter to the text of the URDF, as <param name=\"robot_description\" textfile=\"...\"/> does");
   if (!base.empty()) return parseRobotDescription(parameter, base, control);

@@ -12,7 +12,9 @@
 #include <ros/ros.h>
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "door.h"
@@ -53,6 +55,7 @@ class Node {
   Input inputOf(const std::string& robot_description, const std::string& base, const RunControl& control) const;
   template <typename Request>
   std::string outputFor(const Request& request, const Input& input, const RunControl& control) const;
+  std::pair<std::string, std::optional<std::string>> robotParameter() const;
   RobotDescription readRobot(const std::string& text, const std::string& base, const RunControl& control) const;
   void show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene = nullptr);
 

@@ -43,7 +43,7 @@ fs::path rosHome() {
 }
 
 /// The folder of the package that a folder is in; the folder itself without one.
-std::string packageAround(const std::string& folder) {
+std::string readRootAround(const std::string& folder) {
   for (fs::path above = folder; above.has_relative_path(); above = above.parent_path())
     if (packageAt(above)) return above.string();
   return folder;
@@ -106,7 +106,7 @@ Roots NodePlaces::roots() const {
   roots.read.push_back(output_root_);
   for (const std::string& item : package_path_) roots.read.push_back(packagePlace(item).folder.string());
   const std::string base = baseFolder();
-  if (!base.empty()) roots.read.push_back(packageAround(base));
+  if (!base.empty()) roots.read.push_back(readRootAround(base));
   roots.write = {output_root_};
   if (!output_.empty()) roots.outputs = {(fs::path(output_root_) / output_).string()};
   roots.read.insert(roots.read.end(), roots.outputs.begin(), roots.outputs.end());

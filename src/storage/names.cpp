@@ -30,6 +30,12 @@ std::string fileName(const std::string& text) {
   return result;
 }
 
+std::string robotFileName(std::string robot) {
+  for (const std::string end : {".xacro", ".urdf"})
+    if (lowerExtension(robot) == end && robot != end) robot.resize(robot.size() - end.size());
+  return fileName(robot);
+}
+
 std::string packageName(const std::string& text) {
   std::string result = inLowerCase(text.substr(0, kLongestName));
   for (char& c : result) {

@@ -10,6 +10,9 @@ namespace collision_hulls {
 /// A file or folder name of letters, digits, '_', '-' and '.', which is not hidden and not longer than file systems take.
 std::string fileName(const std::string& text);
 
+/// The same of a robot, for files of its model: some robots are named after their descriptions, extension and all.
+std::string robotFileName(std::string robot);
+
 /// A legal ROS package name: lower-case letters, digits and '_', a letter first.
 std::string packageName(const std::string& text);
 

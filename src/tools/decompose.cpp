@@ -8,9 +8,9 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written; if all failed, nothing is
-written; but a robot of which at least as many links have only primitives as have meshes is written all the same);
-2 usage error, unreadable input, a single mesh that failed, unwritable output, or a report that could not be printed or
-saved (--json); 130 interrupted.
+written, unless the robot has at least as many links with primitives alone), or the check found what the proof rules
+out; 2 usage error, unreadable input, a single mesh that failed, unwritable output, or a report that could not be
+printed or saved (--json); 130 interrupted.
 "degraded" is not a failure: the hulls cover the mesh, but protrude further than the tolerance.
 
 Examples:

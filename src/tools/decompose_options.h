@@ -22,7 +22,8 @@ inline std::uint64_t wholeNumber(const std::string& option, const std::string& t
   std::uint64_t value = 0;
   const bool digits_only = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   if (digits_only && in >> value && value <= limit) return value;
-  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is invalid: use a whole number from 0 to " + std::to_string(limit));
+  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is invalid: use a whole number" +
+                                         (digits_only ? " from 0 to " + std::to_string(limit) : ", 0 or more"));
 }
 
 /// A positive number without a unit.

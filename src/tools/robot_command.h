@@ -184,6 +184,11 @@ inline void checkSuits(const Input& input, const RobotCommand& command) {
   if (!command.consumers.empty())
     throw Error(ErrorCode::kBadOption, std::string("--for ") + name(command.consumers.front()) + ": '" + input.path +
                                            "' is a mesh, and only a robot's description has a form for it; leave the option out");
+  for (const char* const option : {"uri", "source", "rebase"}) {
+    if (command.given.names.count(option) > 0)
+      throw Error(ErrorCode::kBadOption, std::string("--") + option + ": '" + input.path +
+                                             "' is a mesh, and only a robot's description has elements and URIs; leave the option out");
+  }
   if (!options.package_name.empty())
     throw Error(ErrorCode::kBadOption, "package-name '" + options.package_name + "': '" + input.path +
                                            "' is a mesh, and its output is not a package; leave the option out");

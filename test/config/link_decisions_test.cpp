@@ -247,7 +247,7 @@ TEST(LinkDecisions, RegionsThatCannotHold) {
     const std::string message = refusal(text);
     for (const char* const part : parts) EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
   };
-  expect("regions:\n  - {link: gripper" + shape, {"line 2", "link of region '1' 'gripper' matches no link of robot 'panda'"});
+  expect("regions:\n  - {link: gripper" + shape, {"line 2", "region '1': its link 'gripper' matches no link of robot 'panda'"});
   expect("regions: [{name: a" + shape + "]", {"line 1", "region 'a' names no link of robot 'panda'", "link: panda_link0"});
   expect("links: {panda_hand: keep}\nregions:\n  - {link: panda_.*" + shape,
          {"line 3", "region '1' holds for link 'panda_hand', which is kept by 'f.yaml', line 1", "leave one of them out"});

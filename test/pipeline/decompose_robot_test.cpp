@@ -111,6 +111,16 @@ TEST_F(DecomposeRobot, ShellsAreClosedAsAskedLinkByLink) {
   EXPECT_EQ(closed.close_openings, 0.11);
 }
 
+// Its lower edge is split in the front alone, so that three edges along one line are open.
+TEST_F(DecomposeRobot, ATJunctionIsNoOpening) {
+  fixtures::write(folder_ / "meshes/t.obj",
+                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0.5 0 0\n"
+                  "f 1 4 3 2\nf 5 6 7 8\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 1 9 6 5\nf 9 2 6\n");
+  const ElementReport row = run(link("t", collision("t.obj"))).report.links.at(0);
+  EXPECT_EQ(row.repair.open_edges, 3u);
+  EXPECT_EQ(std::make_tuple(row.openings, row.widest_opening), std::make_tuple(0u, 0.0));
+}
+
 TEST_F(DecomposeRobot, LinkNamesThatAreNoFileNames) {
   const RobotResult result =
       run(link("a/b", collision("box.obj")) + link("a b", collision("box.obj"), "a/b") + link("..", collision("box.obj"), "a/b"));

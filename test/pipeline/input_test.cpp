@@ -46,7 +46,8 @@ TEST_F(OpenInput, NothingThere) {
   expectError("", ErrorCode::kFileNotFound, {"'' is neither a file"});
   expectError("no/such.stl", ErrorCode::kFileNotFound, {"'no/such.stl' does not exist (looked for '/", "/no/such.stl')"});
   expectError("missing.urdf", ErrorCode::kFileNotFound, {"'missing.urdf' does not exist (looked for '/", "/missing.urdf')"});
-  expectError("no/such", ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});
+  expectError("no/such", ErrorCode::kFileNotFound, {"neither a file nor the folder of a package ('/"});
+  expectError("/no/such", ErrorCode::kFileNotFound, {"'/no/such' is neither a file nor the folder of a package; check the path"});
   expectError("no_such_package", ErrorCode::kPackageNotFound, {"no_such_package", "ROS_PACKAGE_PATH", folder_.path().string()});
   expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"folder '" + folder_.path().string() + "'", "no package.xml"});
   expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"'batch' takes folders of meshes"});

@@ -140,6 +140,31 @@ TEST_F(MeshSources, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
             "the robot has no meshes" + stay + ", and those of the <visual> elements become <collision> elements of 1 link without any");
 }
 
+TEST_F(MeshSources, AVisualWithoutGeometryBecomesNothing) {
+  const std::string empty = "    <visual><origin xyz=\"0 0 0\"/></visual>\n",
+                    box = "    <collision><geometry><box size=\"1 1 1\"/></geometry></collision>\n";
+  const auto last_note = [&](const std::string& links) { return run(links).report.notes.back(); };  // the first tells of the <visual>
+  EXPECT_EQ(last_note(link("a", empty) + link("b", box, "a")),
+            "the robot has no meshes; boxes, spheres and cylinders stay as they are, and the output's collision model is the input's");
+  EXPECT_EQ(last_note(link("a", empty)), "the robot has no geometry: nothing of it can collide");
+}
+
+// Whether the other link has shown by then that a folder stands in for the package or not.
+TEST_F(MeshSources, AMeshThatTheFolderInAPackagesPlaceLacksIsNamedAsMissing) {
+  const auto of = [](const std::string& mesh) {
+    return "    <collision>" + meshTag("package://exported_name/meshes/" + mesh) + "</collision>\n";
+  };
+  for (const auto& [first, second] : {std::pair("box.obj", "gone.obj"), std::pair("gone.obj", "box.obj")}) {
+    const RobotResult result = run(link("a", of(first)) + link("b", of(second), "a"));
+    const ElementReport& lost = result.report.links.at(first == std::string("gone.obj") ? 0 : 1);
+    EXPECT_EQ(lost.error, "FileNotFound");
+    EXPECT_NE(lost.reason.find("'package://exported_name/meshes/gone.obj' does not exist in '" + folder_.path().string() +
+                               "', which is used in place of package 'exported_name'"),
+              std::string::npos)
+        << lost.reason;
+  }
+}
+
 TEST_F(MeshSources, SelectsLinks) {
   const std::string links = link("left_arm", collision("box.obj")) + link("right_arm", collision("box.obj"), "left_arm");
   options_.links = "right.*";

@@ -73,6 +73,23 @@ TEST_F(OutputUris, NotesThoseThatNowResolveElsewhere) {
   EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
 }
 
+TEST_F(OutputUris, TheDescriptionOfARobotThatIsNamedAsAFile) {
+  for (const std::string name : {"cube", "cube.urdf", "cube.urdf.xacro", "cube.URDF"}) {
+    const std::string file = fixtures::write(folder_ / "urdf/c.urdf", fixtures::robot(name, link("base", collision("box.obj"))));
+    const RobotResult result = decomposeRobot(readRobotDescription(file), defaultPackageFinder(), options_, folder_ / "out");
+    EXPECT_EQ(result.report.urdf, "urdf/cube.urdf") << name;
+  }
+}
+
+TEST_F(OutputUris, RebasingIsNotProposedForFilesThatDoNotExist) {
+  const std::vector<std::string> notes = run(link("base", visual("gone.obj") + collision("bracket.obj"))).report.notes;
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0],
+            "1 mesh URI is relative to the folder of the input, such as '../meshes/gone.obj', and stayed so, as no file that may be read "
+            "was found there: correct the input");
+  EXPECT_EQ(run(link("base", visual("gone.obj") + visual("box.obj") + collision("bracket.obj"))).report.notes.size(), 2u);
+}
+
 TEST_F(OutputUris, NotesThoseOfAPackageThatAFolderStandsInFor) {
   const std::string links = link("base", "    <visual>" + meshTag("package://meshes/box.obj") + "</visual>\n" + collision("bracket.obj"));
   const auto mention = [&](const std::string& part) {

@@ -248,6 +248,18 @@ TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
   EXPECT_NE(notes(2, 8, 2).at(0).find("8 hulls; 1 other mesh is like it: "), std::string::npos);
 }
 
+TEST(PutTogether, NotesThatThePaddingIsPartOfTheProtrusion) {
+  RobotResult all, some, none;
+  MeshUse padded = use("a");
+  padded.options.padding = 0.02;
+  putTogether({padded}, {shared(boxes(1))}, all);
+  EXPECT_EQ(all.report.notes, (std::vector<std::string>{"the protrusion includes the padding of 20 mm"}));
+  putTogether({padded, use("b")}, {shared(boxes(1)), shared(boxes(1))}, some);
+  EXPECT_EQ(some.report.notes, (std::vector<std::string>{"the protrusion includes the padding of up to 20 mm"}));
+  putTogether({use("b")}, {shared(boxes(1))}, none);
+  EXPECT_TRUE(none.report.notes.empty());
+}
+
 TEST(PutTogether, NotesOpeningsThatWereClosed) {
   MeshResult mesh = boxes(1);
   mesh.mesh.closed_openings = 3;

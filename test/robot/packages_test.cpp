@@ -224,16 +224,39 @@ TEST_F(Packages, MacrosAreNoDescriptionOfTheirOwn) {
   const auto xacro = [](const std::string& content) {
     return "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'>" + content + "</robot>";
   };
-  folder_.write("hand/urdf/hand_macro.xacro",
-                xacro("<xacro:property name='a' value='1'/><xacro:macro name='hand'><link name='l'/></xacro:macro>"));
+  const std::string macro = folder_.write(
+      "hand/urdf/hand_macro.xacro", xacro("<xacro:property name='a' value='1'/><xacro:macro name='hand'><link name='l'/></xacro:macro>"));
   folder_.write("hand/urdf/materials.xacro", xacro("<material name='grey'/>"));
-  EXPECT_EQ(robotDescriptionsIn(folder_.path("hand")).size(), 2u) << "there is nothing else";
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("hand")), std::vector<std::string>{macro}) << "there is nothing else";
   const std::string left = folder_.write("hand/left/hand.urdf", "<robot name='left'><link name='l'/></robot>");
   EXPECT_EQ(robotDescriptionsIn(folder_.path("hand")), std::vector<std::string>{left}) << "elsewhere there is";
   const std::string hand = folder_.write("hand/urdf/hand.xacro", xacro("<xacro:include filename='hand_macro.xacro'/><xacro:hand/>"));
   const std::string plain = folder_.write("hand/urdf/plain.xacro", xacro("<xacro:if value='1'><link name='l'/></xacro:if>"));
   const std::string broken = folder_.write("hand/urdf/broken.xacro", "<robot");
   EXPECT_EQ(robotDescriptionsIn(folder_.path("hand")), (std::vector<std::string>{broken, hand, plain}));
+}
+
+TEST_F(Packages, ACallOfAMacroWithoutLinksMakesNoRobot) {
+  const auto xacro = [](const std::string& content) {
+    return "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'>" + content + "</robot>";
+  };
+  const std::string drive = "<xacro:macro name='drive'><transmission name='t'><linkage/></transmission></xacro:macro><xacro:drive/>";
+  folder_.write("arm/urdf/drives.xacro", xacro(drive));
+  folder_.write("arm/urdf/more_drives.xacro", xacro("<xacro:include filename='drives.xacro'/><xacro:drive/>"));
+  folder_.write("arm/urdf/macro.xacro", xacro("<xacro:macro name='arm'><link name='a'/></xacro:macro>"));
+  const std::string arm = folder_.write("arm/urdf/robot.xacro", xacro("<xacro:include filename='macro.xacro'/><xacro:arm/>"));
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("arm")), std::vector<std::string>{arm});
+}
+
+TEST_F(Packages, FilesNamedAsPartsAreNotProposed) {
+  const std::string macro = "<robot xmlns:xacro='x'><xacro:macro name='m'><link name='a'/></xacro:macro></robot>";
+  for (const char* const name : {"arm.gazebo.xacro", "arm.transmission.xacro", "common.xacro", "Materials.urdf.xacro", "const.xacro"})
+    folder_.write(std::string("arm/urdf/") + name, macro);
+  EXPECT_EQ(robotDescriptionsBelow(folder_.path("arm")).files.size(), 5u) << "there are no others";
+  const std::string arm = folder_.write("arm/urdf/arm.urdf.xacro", macro);
+  const FoundDescriptions found = robotDescriptionsBelow(folder_.path("arm"));
+  EXPECT_EQ(found.files, std::vector<std::string>{arm});
+  EXPECT_TRUE(found.are_parts);
 }
 
 TEST_F(Packages, WithoutLinksThereIsNoDescription) {

@@ -238,6 +238,17 @@ TEST_F(Nearby, TheRestOfTheUri) {
   EXPECT_EQ(resolve("package://other_description/meshes/base.stl"), named) << "a folder of the name is likelier, even if farther";
 }
 
+TEST_F(Nearby, AFileThatAStandInLacks) {
+  expectMissing("package://other_description/meshes/tip.stl");
+  folder_.write("lab/robots/arm/meshes/base.stl");
+  resolve("package://other_description/meshes/base.stl");
+  expectError(ErrorCode::kFileNotFound,
+              {"'package://other_description/meshes/tip.stl' does not exist in '" + folder_.path("lab/robots/arm") +
+               "', which is used in place of package 'other_description': correct the URI, or say where the package is with "
+               "--package-path other_description=DIR"},
+              [&] { resolve("package://other_description/meshes/tip.stl"); });
+}
+
 TEST_F(Nearby, APackagesNameBelowMeshes) {
   const std::string mesh = folder_.write("lab/robots/arm/meshes/visual/base%20link.dae");
   EXPECT_EQ(resolve("package://visual/base%20link.dae"), mesh);

@@ -144,6 +144,19 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(0, status, err)
         self.assertIn("bracket.obj", out)
 
+    def test_links_leave_the_file_its_place(self):
+        urdf = self.urdf(self.folder.small_robot())
+        for words in (["--links", "base", "arm", urdf], [urdf, "--links", "base,arm"], ["--links", "base", "x:=1", urdf, "-t", "5%"],
+                      ["--links", "base,", "arm", "-t", "5%", urdf], ["--links=base", urdf]):
+            with self.subTest(words):
+                status, out, err = self.run_client("-o", self.folder.output, *words)
+                self.assertEqual(0, status, err)
+                self.assertIn("bracket.obj", out)
+                self.assertEqual("arm" in " ".join(words), "box.stl" in out, out)
+
+    def test_help_has_the_arguments_of_a_description(self):
+        self.assertIn("decompose_client [URDF [NAME:=VALUE...]]", self.run_client("--help")[1])
+
     def test_wrong_use(self):
         urdf = self.urdf(self.folder.small_robot())
         for arguments, word in (([urdf, "-t", "5x"], "'5x'"), ([urdf, "-t", "1%,2%"], "'1%,2%'"), ([urdf, "-t", "1,5%"], "'1,5%'"), ([urdf, "-t", "0"], "'0'"),
@@ -151,12 +164,18 @@ class ClientTest(unittest.TestCase):
                                 ([urdf, "--scene", "x.yaml", "--clearance", "5%"], "'5%'"), ([urdf, "-m", "magic"], "'magic'"),
                                 (["nowhere.urdf"], "'nowhere.urdf' does not exist (looked for '"), (["nowhere.xacro"], "'nowhere.xacro' does not exist"),
                                 ([self.folder.path], "is a folder; give"), ([urdf, "--scene", "x.yaml", "--clearance", "1cm"], "scene 'x.yaml' is no file (looked for '"),
-                                ([urdf, "--scene", self.folder.path, "--clearance", "1cm"], "is no file"), ([self.folder.file("box.stl")], "is no text"),
-                                ([urdf, "--links", "leg"], "'leg'")):
+                                ([urdf, "--scene", self.folder.path, "--clearance", "1cm"], "is no file"), ([urdf, "--links", "leg"], "'leg'"), ([urdf, "--links", ","], "--links has no name"),
+                                ([self.folder.file("box.stl")], "decompose takes meshes: rosrun collision_hulls decompose " + self.folder.file("box.stl")),
+                                ([urdf, "--tolerence", "5mm"], "there is no option --tolerence; did you mean --tolerance?\n"),
+                                ([urdf, "--max-hulls=3"], "--max-hulls; start the node with it, as in 'roslaunch collision_hulls decompose.launch max_hulls:=VALUE'"),
+                                ([urdf, "--no-cache"], "decompose.launch cache:=false'"), ([urdf, "--spheres"], "decompose.launch shapes:=VALUE'"),
+                                (["--scale", "2", urdf], "there is no option --scale; only the programs decompose and fit_scene have it"),
+                                ([urdf, "--xyzzy"], "see decompose_client --help"), ([urdf, "other.urdf"], "'other.urdf' is not understood: give one file")):
             status, out, err = self.run_client(*arguments)
             self.assertEqual((2, ""), (status, out), arguments)
             self.assertIn(word, err)
             self.assertNotIn("Traceback", err)
+            self.assertNotIn("usage", err)
         with mock.patch.dict(os.environ, ROS_MASTER_URI="nonsense"):
             self.assertIn("ROS_MASTER_URI is 'nonsense', and no address: set it to one", self.run_client(urdf)[2])
 

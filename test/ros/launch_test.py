@@ -97,6 +97,13 @@ class LaunchTest(unittest.TestCase):
             self.assertNotIn("Traceback (most", self.log())
             self.assertFalse(os.path.exists(self.folder.output))
 
+    def test_without_a_robot_the_log_says_how_to_give_one(self):
+        if rospy.has_param("/robot_description"):
+            rospy.delete_param("/robot_description")
+        words = "no robot description: start with robot:=FILE, or set the parameter /robot_description"
+        with self.launched("decompose.launch", "robot:="):
+            self.assertTrue(robots.wait_until(lambda: words in self.log(), 30), self.log())
+
     def test_arguments_for_xacro(self):
         os.makedirs(self.folder.file("bin"))
         self.write("bin/xacro", '#!/bin/sh\nfile=$1\nshift\nfor word; do echo "<!-- [$word] -->"; done\ncat "$file"\n')

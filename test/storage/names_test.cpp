@@ -8,6 +8,10 @@ namespace {
 TEST(FileName, KeepsWhatIsSafe) {
   EXPECT_EQ(fileName("left_arm-2.v3"), "left_arm-2.v3");
   EXPECT_EQ(fileName("a/b\\c d"), "a_b_c_d");
+  EXPECT_EQ(robotFileName("cube.urdf"), "cube");
+  EXPECT_EQ(robotFileName("cube.urdf.XACRO"), "cube");
+  EXPECT_EQ(robotFileName("cube.v2"), "cube.v2");
+  EXPECT_EQ(robotFileName(".urdf"), "_.urdf");
   EXPECT_EQ(fileName(".."), "_..");
   EXPECT_EQ(fileName(""), "_");
   EXPECT_EQ(fileName("\xc3\xa4"), "__");

@@ -55,6 +55,7 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf --max-hulls few", {"--max-hulls", "'few'", "whole number"});
   expectWrongUse("arm/urdf/arm.urdf --max-vertices 7", {"max-vertices", "'7'", "from 8"});
   expectWrongUse("arm/urdf/arm.urdf --max-hulls=-1", {"--max-hulls", "'-1'"});
+  expectWrongUse("arm/urdf/arm.urdf --jobs -1", {"--jobs '-1' is invalid: use a whole number, 0 or more"});
   expectWrongUse("arm/urdf/arm.urdf --jobs 99999", {"jobs", "'99999'", "1024"});
   expectWrongUse("arm/urdf/arm.urdf --seed 99999999999999999999", {"--seed", "18446744073709551615"});
   expectWrongUse("arm/urdf/arm.urdf --format dxf", {"--format", "'dxf'", "stl"});
@@ -71,6 +72,8 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf --links bass", {"did you mean 'base'?"});
   expectWrongUse("arm/urdf/arm.urdf --package-name 'My Arm'", {"package-name 'My Arm'", "such as 'my_arm'"});
   expectWrongUse("arm/meshes/bracket.obj --package-name arm", {"package-name 'arm'", "mesh"});
+  for (const std::string option : {"--uri package", "--source visual", "--rebase"})
+    expectWrongUse("arm/meshes/bracket.obj " + option, {option.substr(0, option.find(' ')), "'arm/meshes/bracket.obj' is a mesh"});
   expectWrongUse("arm/urdf/arm.urdf --package-path nowhere", {"package path 'nowhere'", "NAME=DIR"});
 }
 

@@ -39,9 +39,9 @@ struct Protrusion {
 
 /// Branch and bound over each hull's faces and interior. On return bound - found <= gap (> 0, [m]),
 /// or more if the search does not converge in two million steps on a hull's surface (as in the
-/// plane of an opening) or in 60,000 in its interior (as along a narrow gap). A bound below twelve
-/// gaps is final after 100,000 steps. For rounding, the bound includes 1e-12 of the size of the
-/// hulls' coordinates or of the mesh's extent, what of a hull may lie beyond its triangles, and
+/// plane of an opening) or in 60,000 in its interior (as along a narrow gap). A bound below a
+/// hundred gaps is final after 100,000 steps. For rounding, the bound includes 1e-12 of the size of
+/// the hulls' coordinates or of the mesh's extent, what of a hull may lie beyond its triangles, and
 /// Solid::sideError(). Throws kBadOption for a gap that is not positive and finite, kCancelled.
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap,
                       const RunControl& control = {});

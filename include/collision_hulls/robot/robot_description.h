@@ -124,6 +124,9 @@ class PackageFinder {
   std::optional<std::string> fileNearby(const std::string& package, const std::string& rest,
                                         const std::string& base) const;
 
+  /// For messages: the folder that was used so far in place of an unknown package; empty: none.
+  std::string standIn(const std::string& package) const;
+
   /// For messages: the file whose path differs from this one in the case of letters (ASCII), and
   /// that where fileNearby() looks. nullopt: there is none, or its folder may not be read.
   std::optional<std::string> inOtherCase(const std::string& path) const;

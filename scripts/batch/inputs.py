@@ -6,6 +6,7 @@ or `config`; an empty cell leaves the option as the command line has it. Paths i
 import collections
 import csv
 import dataclasses
+import difflib
 import io
 import os
 import pathlib
@@ -18,6 +19,7 @@ MESHES = {".stl", ".dae", ".obj", ".off", ".ply", ".glb", ".gltf"}
 DESCRIPTIONS = {".urdf", ".xacro"}
 PATH_OPTIONS = {"config", "package-path", "root"}
 OWN = {"help", "version", "output", "json", "quiet", "jobs", "package-name", "replace-complete"}  # of decompose, but the batch's to set
+ADVICE = "check the path, and that its disk is mounted; nothing was done, and earlier results stay"
 
 
 class Failure(Exception):
@@ -30,6 +32,7 @@ class Item:
     options: dict  # of its row in a manifest: {name: [value...]}, with an empty value for a flag
     name: str = ""
     listed: bool = False  # in a file, not on the command line
+    empty: bool = False  # a folder with nothing to decompose
 
     def is_mesh(self):
         return pathlib.Path(self.path).suffix.lower() in MESHES
@@ -81,7 +84,7 @@ def of_folder(folder, options, name):
     if os.path.exists(folder / "package.xml"):
         return [Item(str(folder), options, name)]
     meshes = [Item(str(file), options) for file in files if file.suffix.lower() in MESHES]
-    return meshes or [Item(str(folder), options, name)]
+    return meshes or [Item(str(folder), options, name, empty=all(file.suffix.lower() != ".xacro" for file in files))]
 
 
 def of_word(word, folder, options, name=""):
@@ -129,7 +132,9 @@ def of_manifest(path, known):
         unknown = [column for column in rows.fieldnames or [] if column not in {"input", "name", *known}]
         if unknown or "input" not in (rows.fieldnames or []):
             what = f"has a column '{unknown[0]}', which is not an option of decompose" if unknown else "has no column 'input'"
-            raise Failure(f"'{path}' {what}; its columns are input, name, and options such as tolerance or config")
+            meant = difflib.get_close_matches(unknown[0], ["input", "name", *known], 1) if unknown else []
+            raise Failure(f"'{path}' {what}; " + (f"did you mean '{meant[0]}'?" if meant else
+                                                  "its columns are input, name, and options such as tolerance or config"))
         for row in rows:
             if not row["input"]:
                 raise Failure(f"'{path}', line {rows.line_num}: no input")
@@ -167,7 +172,10 @@ def items_of(words, known):
     for word in words:
         path = pathlib.Path(word)
         if path.suffix.lower() not in (".csv", ".txt"):
-            items += of_word(word, pathlib.Path.cwd(), {})
+            found = of_word(word, pathlib.Path.cwd(), {})
+            if any(item.empty for item in found):
+                raise Failure(f"folder '{word}' holds no description or mesh; {ADVICE}")
+            items += found
             continue
         if not path.is_file():
             raise Failure(f"the list '{word}' does not exist; check the path")

@@ -14,7 +14,7 @@ import shutil
 import urllib.parse
 
 from files import MOST_PATH, encoded, entries_of, files_below, read_json, read_text, sha256, write_json
-from inputs import Failure, merged
+from inputs import ADVICE, Failure, merged
 
 JOB_SECONDS = 180  # about what a job of meshes takes
 JOB_MESHES = 200  # at most
@@ -155,24 +155,22 @@ def folder_of(item):
     return os.path.join("results", sha256(item.name)[:2], item.name)
 
 
-def expect_there(items, given, sources):
-    """A wrong path on the command line, or a disk that is not mounted, would replace earlier results by failures. One input of many that a list names
-    may be missing."""
+def expect_there(items, given):
+    """Throws Failure if inputs are missing: a wrong path on the command line, or a disk that is not mounted, would replace earlier results
+    by failures. One input of many that a list names may be missing. items, given: the inputs, and the options of the command line."""
+    sources = Sources(None)
     lost = [item for item in items if not sources.has(item, merged(given, item.options))]
-    advice = "check the path, and that its disk is mounted; nothing was done, and earlier results stay"
     for item in lost:
         if not item.listed:
             what = "does not exist" if "/" in item.path else "is neither a file, nor a folder, nor a package that is found"
-            raise Failure(f"INPUT '{item.path}' {what}; {advice}")
+            raise Failure(f"INPUT '{item.path}' {what}; {ADVICE}")
     if len(lost) == len(items):
-        raise Failure(f"no listed input exists, such as '{lost[0].path}'; {advice}")
+        raise Failure(f"no listed input exists, such as '{lost[0].path}'; {ADVICE}")
 
 
 def plan_of(items, given, digests, version):
-    """The plan as it is stored: an entry an item, in their order. Throws Failure if the inputs are not there."""
-    sources = Sources(digests)
-    expect_there(items, given, sources)
-    entries = []
+    """The plan as it is stored: an entry an item, in their order."""
+    sources, entries = Sources(digests), []
     for item in items:
         options = merged(given, item.options)
         entries.append({"name": item.name, "input": item.path, "kind": "mesh" if item.is_mesh() else "description", "options": options,

@@ -72,15 +72,23 @@ def watch(process, entries, state):
 
 
 def kinds(rows):
-    """[how many, which reason, an example] of the inputs and meshes that failed, the most frequent first. What decompose refuses is told apart by its
-    own words and needs no example."""
+    """[how many, which reason, the first in full] of the inputs and meshes that failed, the most frequent first. What decompose refuses is
+    told apart by its own words, without names and numbers. rows: of all inputs."""
     found = {}
     for item in (item for row in rows for item in [row, *row["meshes"]] if item["cause"]):
         is_own = item["cause"] == "Refused"
         own_words = re.sub(r"'[^']*'|\[[^]]*\]|\d+", "…", item["reason"])
         kind = textwrap.shorten(own_words, 120, placeholder=" …") if is_own else item["cause"]
-        found.setdefault(kind, [0, kind, "" if is_own else item["reason"]])[0] += 1
+        found.setdefault(kind, [0, kind, item["reason"]])[0] += 1
     return sorted(found.values(), key=lambda kind: -kind[0])
+
+
+def told(number, kind, first):
+    """What kinds() says of one reason, in a line. number: how many have it; kind, first: its name or own words, and the first in full."""
+    full = textwrap.shorten(first, EXAMPLE, placeholder=" …")
+    if not full or kind == full or (number == 1 and "…" in kind):  # own words say no more than the reason itself
+        return full or kind
+    return f"{kind}{': ' if number == 1 else ', first: '}{full}"
 
 
 def summary(rows, done, output):
@@ -89,6 +97,5 @@ def summary(rows, done, output):
     lines = [first if done else f"nothing to do: {len(rows)} input{'s are as they were' if len(rows) != 1 else ' is as it was'}"]
     for what, items in (("inputs", rows), ("meshes", [mesh for row in rows for mesh in row["meshes"]])):
         lines.append(f"{what}: {len(items)}{by_status(collections.Counter(item['status'] for item in items))}")
-    for number, kind, example in kinds(rows):
-        lines.append(f"  {number} {kind}" + (f"{': ' if number == 1 else ', first: '}{textwrap.shorten(example, EXAMPLE, placeholder=' …')}" if example else ""))
+    lines += [f"  {number} {told(number, kind, first)}" for number, kind, first in kinds(rows)]
     return "\n".join([*lines, f"Written to {output}: batch.csv, batch.html"])

@@ -94,6 +94,7 @@ class Run:
 
     def reason(self, memory, seconds):
         said = " ".join(line.partition("decompose: ")[2] or line for line in self.text.splitlines() if "; nothing was written to" not in line)
+        said = said.replace("; 'batch' takes folders of meshes", "")  # this is batch
         by_cause = {UNWRITABLE: f"{said.strip()}. The next start tries again",
                     "OutOfTime": f"not done after {seconds / 60:g} min; --minutes allows more",
                     "OutOfMemory": f"{memory} MB of memory did not suffice; --memory allows more"}
@@ -127,6 +128,12 @@ def status_of(meshes, written):
     return "degraded" if "degraded" in states else "ok"
 
 
+def is_refuted(report):
+    """Whether a check found what the proof rules out. report: of decompose."""
+    checks = [model.get("validation") or {} for model in [report, *report.get("models", [])]]
+    return any(check.get(count, 0) > 0 for check in checks for count in ("missed", "phantom"))
+
+
 def is_complete(run, meshes, written):
     """Whether decompose has written what its report says: a result, or none where all meshes failed."""
     all_failed = bool(meshes) and all(mesh["status"] == "failed" for mesh in meshes)
@@ -142,6 +149,8 @@ def row_of(entry, run, report, settings, limits):
         return {**row, "status": "failed", "cause": run.cause(), "reason": run.reason(*limits), "meshes": []}
     failed = sum(mesh["status"] == "failed" for mesh in meshes)
     row["reason"] = f"{failed} of {len(meshes)} meshes failed" if failed else ""
+    if not failed and is_refuted(report):
+        return {**row, "status": "incomplete", "cause": "Refuted", "reason": run.reason(*limits), "meshes": meshes}
     return {**row, "status": status_of(meshes, bool(row["hash"])), "meshes": meshes}
 
 

@@ -155,7 +155,7 @@ void Fitting::usePrimitives() {
 }
 
 /// Step 6. Evaluates batches until one has no counterexample, or none that opening could cure. Its samples are independent, since a rate is
-/// concluded from them; for the same reason the model must not depend on the last batch, whatever it shows.
+/// concluded from them; for the same reason the last batch must not change the model, whatever it shows.
 void Fitting::verify() {
   next_ = std::max(next_, Assembly::kIndependentFrom);
   for (int round = 0; round < kMostRounds; ++round) {

@@ -59,18 +59,20 @@ TEST(MeshProtrusion, TheBoundAllowsForTheBlurOfBoth) {
 }
 
 /// The summit is anywhere in the body, and nothing on the body's surface is as far away.
-// A loose segment is searched as a triangle without area, from inside a box to outside.
+// A loose segment is searched as a triangle without area. From one block to another, it is furthest from both in the middle of the gap.
 TEST(MeshProtrusion, SegmentsThatLeaveTheSolidCount) {
+  constexpr double kFrom = 0.15, kTo = 0.4, kHigh = 0.3, kFurthest = (kTo - kFrom) / 2;
   test_shapes::RandomPoints random(2);
-  for (int i = 0; i < 300; ++i) {
-    const Eigen::Matrix3d turn = random.rotation();
-    TriangleMesh cube = moved(box(2, 2, 2, 3), {-1, -1, -1});
-    for (Eigen::Vector3d& v : cube.vertices) v = turn * v;
-    const Eigen::Vector3d from = random.inCube(0.9), to = from + random.number(0.5, 2) * random.onSphere();
-    const double expected = (to.cwiseAbs() - Eigen::Vector3d::Ones()).cwiseMax(0).norm();
-    const Protrusion far = largestOnMesh({{turn * from, turn * to}, {{0, 1, 1}}}, solidOf(cube), 1e-3);
-    EXPECT_GE(far.bound, expected * (1 - 1e-9)) << i;
-    EXPECT_LE(far.found, expected * (1 + 1e-9)) << i;
+  for (int i = 0; i < 400; ++i) {
+    const Eigen::Isometry3d turn(random.rotation());
+    const TriangleMesh blocks = merged({box(kFrom, kHigh, kHigh), moved(box(1, kHigh, kHigh), {kTo, 0, 0})});
+    const auto in = [&](double low, double high) {
+      return Eigen::Vector3d(random.number(low, high), random.number(0.01, kHigh - 0.01), random.number(0.01, kHigh - 0.01));
+    };
+    const TriangleMesh segment{{turn * in(0.01, kFrom - 0.01), turn * in(kTo + 0.01, 1)}, {{0, 1, 1}}};
+    const Protrusion far = largestOnMesh(segment, solidOf(transformed(blocks, turn)), 1e-4);
+    EXPECT_GE(far.bound, kFurthest * (1 - 1e-9)) << i;
+    EXPECT_LE(far.found, kFurthest * (1 + 1e-9)) << i;
     EXPECT_GE(far.bound, far.found) << i;
   }
 }

@@ -175,6 +175,13 @@ class KnownFiles {
   std::map<std::string, File> files_;
 };
 
+/// A mesh that cannot be read, for what is being thrown.
+std::shared_ptr<const MeshResult> failedMesh() {
+  MeshResult failed;
+  fail(failed);
+  return std::make_shared<const MeshResult>(std::move(failed));
+}
+
 }  // namespace
 
 std::vector<MeshUse> meshUses(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions) {
@@ -328,13 +335,6 @@ UriResolver resolverFor(const RobotDescription& robot, const PackageFinder& find
     control.check();
     return resolveUri(uri, robot.path, find_package);
   };
-}
-
-/// A mesh that cannot be read, for what is being thrown.
-static std::shared_ptr<const MeshResult> failedMesh() {
-  MeshResult failed;
-  fail(failed);
-  return std::make_shared<const MeshResult>(std::move(failed));
 }
 
 MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const MeshLimits& limits, const RunControl& control) {

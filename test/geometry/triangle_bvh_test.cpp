@@ -370,13 +370,15 @@ TEST(TriangleBvh, WhatAPatchMeets) {
   EXPECT_LT(hardly_told, 0.01 * free) << "it need not be exact, but nearly so";
 }
 
+Eigen::Isometry3d askew() {
+  return Eigen::Isometry3d(Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()));
+}
+
 // From inside to outside, along a line: rounding alone decides on such a patch's normal.
 TEST(TriangleBvh, ASliverMeetsWhatItCrosses) {
   RandomPoints random(4);
-  TriangleMesh mesh = test_shapes::box(1, 1, 1, 4);
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  for (Vector3d& v : mesh.vertices) v = turn * v;
-  const TriangleBvh bvh(mesh);
+  const Eigen::Isometry3d turn = askew();
+  const TriangleBvh bvh(transformed(test_shapes::box(1, 1, 1, 4), turn));
   const auto missed = [&](const Vector3d& from, const Vector3d& to, double width) {
     const Vector3d between = from + random.number(0, 1) * (to - from) + random.inCube(width);
     const std::array<Patch, 4> patches{Patch{from, between, to}, Patch{between, to, from}, Patch{to, from, between}, Patch{from, to, to}};
@@ -393,10 +395,8 @@ TEST(TriangleBvh, ASliverMeetsWhatItCrosses) {
 // In the plane of a face, the heights above it are rounding errors.
 TEST(TriangleBvh, APatchThatTouchesTheSurfaceMeetsIt) {
   RandomPoints random(3);
-  TriangleMesh mesh = test_shapes::box(1, 1, 1, 4);
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  for (Vector3d& v : mesh.vertices) v = turn * v;
-  const TriangleBvh bvh(mesh);
+  const Eigen::Isometry3d turn = askew();
+  const TriangleBvh bvh(transformed(test_shapes::box(1, 1, 1, 4), turn));
   for (int i = 0; i < 300; ++i) {
     const auto on = [&](double z) { return Vector3d(turn * Vector3d(random.number(0.1, 0.9), random.number(0.1, 0.9), z)); };
     EXPECT_TRUE(bvh.metBy({on(1), on(1), on(1)}));

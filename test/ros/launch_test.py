@@ -43,8 +43,9 @@ class LaunchTest(unittest.TestCase):
         self.environment.update(PATH=self.folder.file("bin") + ":" + os.environ["PATH"], ROS_HOME=self.folder.path)
 
     @contextlib.contextmanager
-    def launched(self, file, *arguments):
-        command = ["roslaunch", "collision_hulls", file, "robot:=robot.urdf", "output:=results/made", f"output_root:={self.folder.path}", *arguments]
+    def launched(self, file, *arguments, robot=("robot:=robot.urdf",)):
+        """roslaunch takes no notice of `robot:=` without a value: pass robot=() to leave it out."""
+        command = ["roslaunch", "collision_hulls", file, *robot, "output:=results/made", f"output_root:={self.folder.path}", *arguments]
         with open(self.folder.file("log"), "w+", encoding="utf-8") as log:
             nodes = subprocess.Popen(command, cwd=self.folder.path, env=self.environment, stdout=log, stderr=log)
             try:
@@ -101,7 +102,7 @@ class LaunchTest(unittest.TestCase):
         if rospy.has_param("/robot_description"):
             rospy.delete_param("/robot_description")
         words = "no robot description: start with robot:=FILE, or set the parameter /robot_description"
-        with self.launched("decompose.launch", "robot:="):
+        with self.launched("decompose.launch", robot=()):
             self.assertTrue(robots.wait_until(lambda: words in self.log(), 30), self.log())
 
     def test_arguments_for_xacro(self):

@@ -2,6 +2,17 @@
 
 set(TESTED_ROOMS ${CORE_ROOMS} ${ROBOT_ROOMS} decode bench tools demo)
 
+# What nearly all tests include is parsed once. Not with a compiler cache, as for the libraries.
+if(COLLISION_HULLS_PRECOMPILE AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND TARGET GTest::Main)
+  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/test_headers.cpp" CONTENT "")
+  add_library(test_headers OBJECT EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/test_headers.cpp")
+  target_link_libraries(test_headers GTest::Main Eigen3::Eigen Threads::Threads)
+  target_compile_options(test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(test_headers PRIVATE
+    <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <filesystem> <fstream> <functional> <map> <optional> <sstream> <string>
+    <vector>)
+endif()
+
 # add_unit_tests(NAME SOURCE...): by catkin if this is its build, so that its results lie where `catkin_make run_tests` looks for them.
 function(add_unit_tests name)
   if(COLLISION_HULLS_ROS)
@@ -14,6 +25,9 @@ function(add_unit_tests name)
     add_dependencies(tests ${name})
   endif()
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of a test's time is its compilation
+  if(TARGET test_headers)
+    target_precompile_headers(${name} REUSE_FROM test_headers)
+  endif()
 endfunction()
 
 function(add_room_tests room)

@@ -1,4 +1,6 @@
-// How a caller follows, cancels and limits a long computation.
+// How a caller follows, cancels and limits a long computation. A function that takes a RunControl
+// throws kCancelled once the run is cancelled, and kOutOfTime once its deadline has passed if it
+// stops there, whether or not its own comment says so.
 //
 // For example:
 //
@@ -23,34 +25,40 @@
 
 namespace collision_hulls {
 
-/// Passed down by reference through every long-running stage. Thread safe: cancel() and the stages
-/// may run on different threads. Any of those threads may call `progress`, but only one at a time.
+/// Passed by reference to every long-running function. Set the fields before the run starts; after
+/// that, any thread may call cancel(). Any thread of the run may call `progress`, but only one at a
+/// time.
 struct RunControl {
   /// Called with the share of the work done so far, in [0, 1]; never decreases. May be empty. What
   /// it throws ends the work. certifiedHulls(), certifiedSpheres(), decompose() of a mesh,
   /// hullTree(), acdHulls(), hacdPartition(), hacdSegmentation(), segmentsOf() and validate()
-  /// report, the last time 1; so do the functions for whole robots, see StepCallback. Others, such
-  /// as convexHull(), repair() and leastHulls(), do not.
+  /// report, the last time 1; so do the functions for whole robots, see StepCallback. fitScene()
+  /// stops short of 1, as nobody knows how many samples it will take. Others, such as convexHull(),
+  /// repair() and leastHulls(), do not report.
   std::function<void(double fraction)> progress;
-  /// Polled by every check(); true ends the run as cancel() does. For callers that have to poll for
-  /// cancellation. Called from any thread, from several at once. May be empty.
+  /// Asked by every check(); true ends the run as cancel() does. For callers that learn of a
+  /// cancellation only by asking. Called from any thread, from several at once. May be empty.
   std::function<bool()> ends;
   /// The run that this one is part of: cancelling it cancels this one too. Null at the top level.
   const RunControl* whole = nullptr;
-  /// When the caller wants the result: the method certified then ends its searches with what they
-  /// have, see certifiedHulls(). Nothing else heeds it. What it cuts short depends on the machine.
+  /// When the caller wants the result. The searches of the method certified and those of
+  /// protrusion() and certificate() then end with what they have, see certifiedHulls(); nothing
+  /// else heeds it. What it cuts short depends on the machine.
   using Time = std::chrono::steady_clock::time_point;
   Time deadline = Time::max();
   /// Makes check() throw after the deadline, for a stage whose caller goes on without it.
   bool stops_at_deadline = false;
 
+  /// Ends the run at its next check().
   void cancel() const { cancelled_.store(true); }
+  /// Whether check() would throw kCancelled.
   bool cancelled() const {
     return cancelled_.load(std::memory_order_relaxed) || (ends && ends()) ||
            (whole && whole->cancelled());
   }
   /// The deadline, or that of the whole if it is earlier.
   Time until() const { return whole ? std::min(deadline, whole->until()) : deadline; }
+  /// Whether until() has passed.
   bool late() const {
     const Time end = until();
     return end != Time::max() && std::chrono::steady_clock::now() >= end;
@@ -63,6 +71,7 @@ struct RunControl {
     if (stops_at_deadline && late())
       throw Error(ErrorCode::kOutOfTime, "the time limit has passed; allow more time");
   }
+  /// For functions that report: passes a share of the work on to `progress`.
   void report(double fraction) const {
     if (progress) progress(fraction);
   }

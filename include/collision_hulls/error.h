@@ -1,4 +1,5 @@
-// The library's errors: a code for programs to act on and a text for people.
+// The library's errors: a code for programs to act on and a text for people. A function that needs
+// more memory than there is throws std::bad_alloc.
 //
 // For example:
 //
@@ -41,8 +42,8 @@ enum class ErrorCode {
   kUnwritableOutput,     ///< the output folder cannot be created or written
   kNotAHullTree,         ///< not a hull tree file, or a damaged one, or one of another version
   kOutsideRoots,         ///< the path lies outside the folders that may be read or written
-  kNotOurOutput,         ///< the output path holds something this program did not write
-  kOutOfMemory,          ///< the memory did not suffice
+  kNotOurOutput,         ///< the output path holds something that this library did not write
+  kOutOfMemory,          ///< a reader, a mesh of a run or a new thread lacked memory
   kOutOfTime,            ///< the time that was allowed did not suffice
   kCancelled,            ///< the caller cancelled the run
   kInternal              ///< the library's own output failed a check

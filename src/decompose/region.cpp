@@ -65,6 +65,8 @@ Region boxRegion(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, dou
   checkTolerance(tolerance);
   if (!(size.minCoeff() > 0) || !size.allFinite())
     throw Error(ErrorCode::kBadOption, "a region's box has the size " + textOf(size) + " m; all three must be positive lengths");
+  if (!((pose.linear().transpose() * pose.linear()).isIdentity(kUnitLength)))
+    throw Error(ErrorCode::kBadOption, "the pose of a region's box scales or shears it; it must be rigid");
   Region box;
   box.tolerance = tolerance;
   for (int axis = 0; axis < 3; ++axis) {

@@ -19,6 +19,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "collision_hulls/config/config.h"
+#include "report/check_text.h"
 
 namespace collision_hulls {
 namespace {
@@ -309,7 +310,8 @@ void HullsPanel::refresh() {
   form_->show(links);
   showRegions();
   const TableTotals totals = table_.totals();
-  QString text = QString("%1 links, <b>%2 hulls</b>, %3 vertices").arg(totals.links).arg(totals.hulls).arg(totals.vertices);
+  const QString bodies = QString::fromStdString(countedBodies(totals.hulls, totals.primitives));
+  QString text = QString("%1 links, <b>%2</b>, %3 vertices").arg(totals.links).arg(bodies).arg(totals.vertices);
   if (totals.protrusion > 0)
     text += ", at most <b>" + lengthText(totals.protrusion) + "</b> (" + QString::fromStdString(totals.worst_link).toHtmlEscaped() + ")";
   if (totals.unbuilt > 0) text += QString("; %1 to build").arg(totals.unbuilt);

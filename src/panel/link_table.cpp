@@ -176,6 +176,7 @@ TableTotals LinkTable::totals() const {
   totals.links = rows_.size();
   for (const LinkRow& row : rows_) {
     totals.hulls += row.facts.hulls;
+    totals.primitives += row.facts.primitives;
     totals.vertices += row.facts.vertices;
     totals.unbuilt += row.facts.status == "unbuilt";
     totals.failed += row.facts.status == "failed";

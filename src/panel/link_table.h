@@ -18,7 +18,7 @@ struct LinkFacts {
   std::string status;  ///< "ok", "degraded", "failed", "kept", "removed", "unbuilt"
   std::string reason;
   bool proved = false;
-  std::size_t triangles = 0, hulls = 0, vertices = 0;
+  std::size_t triangles = 0, hulls = 0, primitives = 0, vertices = 0;
   double tolerance = 0, protrusion = 0, found = 0;  ///< [m]
   Eigen::Vector3d worst = Eigen::Vector3d::Zero();  ///< in the link's frame
   Eigen::AlignedBox3d around;                       ///< the link's bodies, in its frame; empty: it has none
@@ -33,7 +33,7 @@ struct LinkRow {
 };
 
 struct TableTotals {
-  std::size_t links = 0, hulls = 0, vertices = 0;
+  std::size_t links = 0, hulls = 0, primitives = 0, vertices = 0;
   std::size_t unbuilt = 0, failed = 0;
   double protrusion = 0;   ///< [m] the largest that is proved
   std::string worst_link;  ///< that has it

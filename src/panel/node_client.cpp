@@ -42,6 +42,7 @@ LinkRow toRow(const LinkPreview& message) {
   row.facts.proved = message.proved;
   row.facts.triangles = message.triangles;
   row.facts.hulls = message.hulls;
+  row.facts.primitives = message.primitives;
   row.facts.vertices = message.hull_vertices;
   row.facts.tolerance = message.tolerance;
   row.facts.protrusion = message.protrusion;

@@ -18,6 +18,7 @@
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
 #include "panel/table_model.h"
+#include "report/check_text.h"
 
 namespace collision_hulls {
 namespace {
@@ -194,13 +195,14 @@ void SettingsForm::enable(bool any, const LinkOptions& options) {
   effort_->setEnabled(decomposed && options.method == Method::kCertified);
 }
 
-/// The number of hulls and the bound, beside the slider.
+/// The number of bodies and the bound, beside the slider.
 void SettingsForm::describe(const std::vector<const LinkRow*>& links) {
-  std::size_t hulls = 0;
+  std::size_t hulls = 0, primitives = 0;
   double bound = 0;
   bool unbuilt = false;
   for (const LinkRow* link : links) {
     hulls += link->facts.hulls;
+    primitives += link->facts.primitives;
     bound = std::max(bound, link->facts.protrusion);
     unbuilt = unbuilt || link->facts.status == "unbuilt";
   }
@@ -211,9 +213,8 @@ void SettingsForm::describe(const std::vector<const LinkRow*>& links) {
   } else if (unbuilt) {
     effect_->setText("Not built yet with these settings.");
   } else {
-    effect_->setText(QString("<b>%1</b> %2%3")
-                         .arg(hulls)
-                         .arg(hulls == 1 ? "hull" : "hulls")
+    effect_->setText(QString("<b>%1</b>%2")
+                         .arg(QString::fromStdString(countedBodies(hulls, primitives)))
                          .arg(bound > 0 ? ", proved to protrude at most <b>" + lengthText(bound) + "</b>" : QString()));
   }
 }

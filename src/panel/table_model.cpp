@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "report/check_text.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -23,7 +25,7 @@ QVariant text(const LinkRow& row, int column) {
     case TableModel::kMethod: return methodText(row.options);
     case TableModel::kTolerance:
       return row.options.action == Action::kDecompose ? QString::fromStdString(toString(row.options.tolerance)) : dash;
-    case TableModel::kHulls: return has_hulls ? QString::number(row.facts.hulls) : dash;
+    case TableModel::kHulls: return has_hulls ? QString::fromStdString(bodiesInColumn(row.facts.hulls, row.facts.primitives)) : dash;
     case TableModel::kVertices: return has_hulls ? QString::number(row.facts.vertices) : dash;
     case TableModel::kBound: return lengthText(has_hulls ? row.facts.protrusion : 0);
     case TableModel::kFound: return lengthText(has_hulls && row.facts.proved ? row.facts.found : 0);
@@ -36,7 +38,7 @@ QVariant text(const LinkRow& row, int column) {
 QVariant sortValue(const LinkRow& row, int column) {
   switch (column) {
     case TableModel::kTolerance: return row.facts.tolerance > 0 ? row.facts.tolerance : row.options.tolerance.limit;
-    case TableModel::kHulls: return static_cast<qulonglong>(row.facts.hulls);
+    case TableModel::kHulls: return static_cast<qulonglong>(row.facts.hulls + row.facts.primitives);
     case TableModel::kVertices: return static_cast<qulonglong>(row.facts.vertices);
     case TableModel::kBound: return row.facts.protrusion;
     case TableModel::kFound: return row.facts.found;

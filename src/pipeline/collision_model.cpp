@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/counted.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/fit_scene.h"
@@ -24,6 +25,8 @@
 
 namespace collision_hulls {
 namespace {
+
+constexpr std::size_t kMostLinks = 5;  // in a note
 
 /// A mesh with new hulls: its files, and the primitives in place of others.
 struct Model {
@@ -147,6 +150,26 @@ std::vector<std::string> notesOnCarried(const RobotResult& result) {
           (result.kept_files.size() == 1 ? "was" : "were") + " copied into the output, such as '" + result.kept_files.begin()->first + "'"};
 }
 
+/// "link 'a' has", or "links a, b, c, d, e and 2 more have"; `one` and `more` are the verbs.
+std::string linksThat(const std::vector<std::string>& links, const std::string& one, const std::string& more) {
+  if (links.size() == 1) return "link '" + links.front() + "' " + one;
+  return "links " + listedFirst(links, kMostLinks) + " " + more;
+}
+
+std::string noteOnBareFailed(const std::vector<std::string>& links, bool has_others) {
+  const bool one = links.size() == 1;
+  return linksThat(links, "has", "have") + " no <collision> elements to keep in place of " + (one ? "a mesh" : "meshes") +
+         " that failed: " +
+         (has_others ? "only " + std::string(one ? "its" : "their") + " other elements collide" : "nothing collides there") +
+         "; mend the " + (one ? "mesh, or add a <collision> element" : "meshes, or add <collision> elements");
+}
+
+std::string noteOnUnusedHulls(const std::vector<std::string>& links) {
+  const std::string its = links.size() == 1 ? "its" : "their";
+  return linksThat(links, "keeps", "keep") + " " + its + " collision elements because one of " + its + " meshes failed; hulls of " + its +
+         " other meshes are written, but not used";
+}
+
 /// On links with a mesh that failed: hulls that are written though no element of the description names them, and links without other
 /// elements to keep.
 std::vector<std::string> notesOnFailed(const RobotDescription& robot, const RobotResult& result) {
@@ -155,21 +178,19 @@ std::vector<std::string> notesOnFailed(const RobotDescription& robot, const Robo
   std::set<std::string> have_others;
   for (const ElementResult& element : result.elements)
     if (!element.hulls.empty()) have_others.insert(element.link);
-  std::vector<std::string> notes;
+  std::vector<std::string> bare, partly_bare, keeping;
   for (const LinkDescription& link : robot.links) {
     if (!failed.count(link.name)) continue;
     const bool is_bare = link.collisions.empty();  // so its visual primitives become collision elements
     const bool has_others =
         have_others.count(link.name) > 0 || (is_bare && std::any_of(link.visuals.begin(), link.visuals.end(), isSolidPrimitive));
-    if (is_bare)
-      notes.push_back("link '" + link.name + "' has no <collision> elements to keep in place of a mesh that failed: " +
-                      (has_others ? "only its other elements collide" : "nothing collides there") +
-                      "; mend the mesh, or add a <collision> element");
-    else if (has_others)
-      notes.push_back(
-          "link '" + link.name +
-          "' keeps its collision elements because one of its meshes failed; hulls of its other meshes are written, but not used");
+    if (is_bare) (has_others ? partly_bare : bare).push_back(shortened(link.name));
+    if (!is_bare && has_others) keeping.push_back(shortened(link.name));
   }
+  std::vector<std::string> notes;
+  if (!bare.empty()) notes.push_back(noteOnBareFailed(bare, false));
+  if (!partly_bare.empty()) notes.push_back(noteOnBareFailed(partly_bare, true));
+  if (!keeping.empty()) notes.push_back(noteOnUnusedHulls(keeping));
   return notes;
 }
 

@@ -337,6 +337,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     result.extra_files["config/" + robotFileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
     const Totals sums = totals(result.report);
     for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);
+    if (const std::string note = noteOnSpeed(*scene, request.scene); !note.empty()) notes.push_back(note);
   }
   rewriteDescription(robot, decisions, find_package, output, notes, result, control);
   result.report.seconds = clock.lap();

@@ -39,15 +39,16 @@ bool isDecomposed(const LinkOptions* options) {
 
 /// On collision meshes that --source visual skips in links without a visual element.
 std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const LinkDecisions& decisions) {
-  std::string links;
+  std::vector<std::string> links;
   for (const LinkDescription& link : robot.links) {
     const LinkOptions* const options = decisions.of(link.name);
     if (isDecomposed(options) && options->source == Source::kVisual && link.visuals.empty() &&
         std::any_of(link.collisions.begin(), link.collisions.end(), isMesh))
-      links += (links.empty() ? "" : ", ") + link.name;
+      links.push_back(shortened(link.name));
   }
   if (links.empty()) return {};
-  return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto decomposes them"};
+  return {"links without a visual element keep their collision meshes as they are: " + listedFirst(links, kMostNames) +
+          "; --source auto decomposes them"};
 }
 
 /// Whether a link keeps the primitives of its <collision> elements though it has a visual mesh.
@@ -285,7 +286,7 @@ std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDe
 }
 
 std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDecisions& decisions) {
-  std::string links;
+  std::vector<std::string> links;
   for (const LinkDescription& link : robot.links) {
     const LinkOptions* const options = decisions.of(link.name);
     if (!isDecomposed(options)) continue;
@@ -293,11 +294,10 @@ std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDe
     const auto is_flat = [](const GeometryElement& element) {
       return !isMesh(element) && element.kind != GeometryElement::Kind::kNone && !isSolidPrimitive(element);
     };
-    if (source.visual && std::any_of(source.elements.begin(), source.elements.end(), is_flat))
-      links += (links.empty() ? "" : ", ") + link.name;
+    if (source.visual && std::any_of(source.elements.begin(), source.elements.end(), is_flat)) links.push_back(shortened(link.name));
   }
   if (links.empty()) return {};
-  return {"visual boxes, spheres and cylinders with a size of 0 become no collision elements, in links: " + links};
+  return {"visual boxes, spheres and cylinders with a size of 0 become no collision elements, in links: " + listedFirst(links, kMostNames)};
 }
 
 std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options,

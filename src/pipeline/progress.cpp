@@ -60,11 +60,12 @@ void Progress::skip(std::size_t task) {
   if (clock_() - last_call_ >= kPeriod) call();
 }
 
-void Progress::finishElement(const std::string& item, std::size_t hulls) {
+void Progress::finishElement(const std::string& item, std::size_t hulls, std::size_t primitives) {
   const std::lock_guard<std::mutex> lock(mutex_);
   state_.item = item;
   ++state_.done;
   state_.hulls += hulls;
+  state_.primitives += primitives;
   call();
 }
 

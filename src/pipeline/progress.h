@@ -33,7 +33,7 @@ class Progress {
   void skip(std::size_t task);  ///< done at no cost: the cache had it
 
   /// One element of the robot is done.
-  void finishElement(const std::string& item, std::size_t hulls);
+  void finishElement(const std::string& item, std::size_t hulls, std::size_t primitives = 0);
 
   /// The run is done: the fraction is 1.
   void end();

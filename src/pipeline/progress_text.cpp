@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/counted.h"
+#include "report/check_text.h"
 
 namespace collision_hulls {
 namespace {
@@ -29,7 +30,7 @@ std::string activity(const Step& step) {
   if (step.stage == "certify") return "certifying the fitted hulls";
   if (step.stage == "validate") return "validating";
   if (step.stage == "pairs") return "proving which links never meet";
-  return std::to_string(step.done) + " of " + counted(step.total, "mesh", "meshes") + ", " + counted(step.hulls, "hull");
+  return std::to_string(step.done) + " of " + counted(step.total, "mesh", "meshes") + ", " + countedBodies(step.hulls, step.primitives);
 }
 
 }  // namespace

@@ -15,21 +15,13 @@
 #include "base/millimetres.h"
 #include "collision_hulls/report/totals.h"
 #include "geometry/bytes.h"
+#include "pipeline/notes/hull_notes.h"
 #include "pipeline/run.h"
-#include "report/largest_tolerance.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kManyHulls = 100;  // of a mesh
-constexpr std::size_t kManyInAll = 500;  // of a robot
-constexpr std::size_t kHullsOfShell = 8;
-constexpr double kHollow = 0.25;  // of the hulls' volume: shells have less inside
-constexpr double kWide = 0.2;     // of the diagonal: with such openings a shell has hardly an inside, whatever volume it seems to have
-constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
-constexpr double kNearlyAll = 0.9;      // of the vertices that hulls may have
-constexpr std::size_t kSeveral = 4;     // hulls of a mesh that might take one
 constexpr double kSmallestLink = 1e-3;  // [m] across
 constexpr double kFarRegion = 0.1;      // of a mesh's diagonal: a region may well stand beside the mesh, as a table does
 
@@ -146,11 +138,6 @@ void noteTinyMeshes(Report& report) {
                          ": if its numbers are metres, leave the scale out");
 }
 
-/// Whether a row has the hulls that a tolerance asked for.
-bool followsTolerance(const ElementReport& row) {
-  return isDone(row) && row.method == Method::kCertified && row.shapes == Shapes::kHulls;
-}
-
 /// A length alone, though finer than the default's, makes small meshes coarser than the default, which has a share as well. Links whose
 /// rules say otherwise do not count.
 void noteCoarserThanDefault(Report& report) {
@@ -181,95 +168,6 @@ void noteSmallMeshes(Report& report) {
                          millimetres(first->diagonal) + " across" +
                          (others > 0 ? ", and than " + counted(others, "other mesh", "other meshes") : "") +
                          ": one hull covers each; for more detail give a smaller tolerance, or one with a percentage, as in 1cm,5%");
-}
-
-/// Null: the row has none.
-const Region* finestRegion(const ElementReport& row) {
-  const auto finer = [](const Region& a, const Region& b) { return a.tolerance < b.tolerance; };
-  const auto finest = std::min_element(row.regions_given.begin(), row.regions_given.end(), finer);
-  return finest == row.regions_given.end() ? nullptr : &*finest;
-}
-
-/// More hulls than planners and simulators like for a whole robot, of meshes none of which has very many.
-void noteManyInAll(Report& report) {
-  std::size_t hulls = 0, meshes = 0;
-  for (const ElementReport& row : report.links)
-    if (followsTolerance(row)) hulls += row.hulls, ++meshes;
-  if (hulls <= kManyInAll) return;
-  report.notes.push_back(std::to_string(meshes) + " meshes took " + std::to_string(hulls) +
-                         " hulls: for fewer, give a larger tolerance, and for small parts a larger percentage with it, as in 3cm,20%; or "
-                         "limit the hulls of each mesh, as in --max-hulls 4");
-}
-
-/// A mesh of more hulls than planners and simulators like.
-void noteManyHulls(Report& report) {
-  const auto has_many = [](const ElementReport& row) { return followsTolerance(row) && row.hulls > kManyHulls; };
-  const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
-    return (has_many(a) ? a.hulls : 0) < (has_many(b) ? b.hulls : 0);
-  };
-  const auto most = std::max_element(report.links.begin(), report.links.end(), fewer);
-  if (most == report.links.end() || !has_many(*most)) return noteManyInAll(report);
-  const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), has_many)) - 1;
-  const Region* const region = finestRegion(*most);
-  const bool is_finer = region && region->tolerance < most->tolerance;
-  report.notes.push_back(
-      "'" + most->uri + "' took " + std::to_string(most->hulls) + " hulls at a tolerance of " + millimetres(most->tolerance) +
-      (is_finer ? " and, in region '" + region->name + "', of " + millimetres(region->tolerance) : "") +
-      (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over " + std::to_string(kManyHulls) : "") + ": " +
-      (is_finer ? "a smaller region, or a larger tolerance in it, may make fewer" : "a larger tolerance makes fewer") +
-      "; so does a limit, as in --max-hulls 16");
-}
-
-std::string likeIt(std::size_t others) {
-  return others > 0 ? "; " + counted(others, "other mesh", "other meshes") + (others == 1 ? " is" : " are") + " like it" : "";
-}
-
-/// Parts that nothing can reach are solid inside a watertight housing. Inside an open one they have to be covered, each by hulls of its
-/// own.
-void noteLooseParts(Report& report) {
-  const auto is_loose = [](const ElementReport& row) {
-    return followsTolerance(row) && row.repair.components >= kManyParts && row.hulls >= kManyParts;
-  };
-  const auto [first, others] = firstAndOthers(report, is_loose);
-  if (!first) return;
-  const std::string closing =
-      first->openings > 0 ? "if parts lie in a housing with openings, --close-openings makes it solid, and they take no hulls; or " : "";
-  report.notes.push_back("'" + first->uri + "' consists of " + std::to_string(first->repair.components) + " loose parts and took " +
-                         std::to_string(first->hulls) + " hulls" + likeIt(others) + ": " + closing + "remove parts that nothing can touch");
-}
-
-/// A round body that one hull would do for takes several where each may have few vertices.
-void noteVertexLimit(Report& report) {
-  const auto is_limited = [](const ElementReport& row) {
-    const double most = static_cast<double>(row.max_vertices) * static_cast<double>(row.hulls);
-    return followsTolerance(row) && row.max_vertices > 0 && row.effort != Effort::kInstant && row.padding == 0 && row.untried.empty() &&
-           row.hulls >= kSeveral && row.least_hulls == 1 && static_cast<double>(row.hull_vertices) >= kNearlyAll * most;
-  };
-  const auto [first, others] = firstAndOthers(report, is_limited);
-  if (!first) return;
-  report.notes.push_back("'" + first->uri + "' took " + counted(first->hulls, "hull") +
-                         " with nearly as many vertices each as they may have (" + std::to_string(first->max_vertices) + ")" +
-                         likeIt(others) + ": with more, as in --max-vertices 256, or without a limit (0), far fewer may do");
-}
-
-/// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Closing a
-/// body that has most of its inside already, as those with small openings do, changes little, and wider openings than the option takes stay
-/// open.
-void noteOpenShells(Report& report) {
-  const auto is_open = [](const ElementReport& row) {
-    return followsTolerance(row) && row.openings > 0 && row.widest_opening <= kLargestTolerance && row.hulls >= kHullsOfShell &&
-           (row.volume < kHollow * row.hull_volume || row.widest_opening > kWide * row.diagonal);
-  };
-  const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
-    return (is_open(a) ? a.hulls : 0) < (is_open(b) ? b.hulls : 0);
-  };
-  const auto most = std::max_element(report.links.begin(), report.links.end(), fewer);
-  if (most == report.links.end() || !is_open(*most)) return;
-  const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), is_open)) - 1;
-  const double width = std::ceil(100 * most->widest_opening) / 100;
-  report.notes.push_back("'" + most->uri + "' has " + counted(most->openings, "opening") + " and took " + std::to_string(most->hulls) +
-                         " hulls" + likeIt(others) + ": if it is the skin of a solid, --close-openings " + toString(lengthOf(width)) +
-                         " makes it that solid, which may take far fewer");
 }
 
 void noteClosedOpenings(Report& report) {
@@ -378,10 +276,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
   noteTinyMeshes(result.report);
   if (!result.report.scene) {  // a fit chooses how fine each link has to be
     noteCoarserThanDefault(result.report);
-    noteManyHulls(result.report);
-    noteLooseParts(result.report);
-    noteVertexLimit(result.report);
-    noteOpenShells(result.report);
+    for (std::string& note : notesOnHulls(result, control)) result.report.notes.push_back(std::move(note));
   }
   noteClosedOpenings(result.report);
   notePadding(result.report);

@@ -76,12 +76,13 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   putTogether(input.uses, results, result, input.control);
 }
 
-void finishVariant(const MeshTask& task, const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t hulls,
+void finishVariant(const MeshTask& task, const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t bodies,
                    Run& run) {
+  const std::size_t primitives = mesh->primitives.size();
   for (const std::size_t use : variant.uses) {
     const std::string& uri = run.uses[use].source.uri;
     run.results[use] = mesh->status == Status::kFailed && uri != task.uri ? failedLike(task.uri, *mesh, uri) : mesh;
-    run.progress.finishElement(run.uses[use].link, hulls);
+    run.progress.finishElement(run.uses[use].link, bodies - primitives, primitives);
   }
 }
 

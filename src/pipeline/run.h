@@ -43,8 +43,8 @@ struct RunInput {
 void runStages(const RunInput& input, RobotResult& result, const std::function<void(Run&)>& stages);
 
 /// A variant of a task of the first stage is done: hands its result to all of its uses. Where it failed, the reason names each use's own
-/// mesh. `hulls`: how many the progress shows for each.
-void finishVariant(const MeshTask& task, const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t hulls,
+/// mesh. `bodies`: how many the progress shows for each, the mesh's primitives among them.
+void finishVariant(const MeshTask& task, const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t bodies,
                    Run& run);
 
 /// What belongs to a model, by its index among all of them.

@@ -90,12 +90,8 @@ void check(const PrimitiveOptions& options) {
   expectMargin(options.margin);
 }
 
-}  // namespace
-
-CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, double margin, double tolerance, const RunControl& control) {
-  PrimitiveOptions options;
-  options.tolerance = tolerance;
-  options.margin = margin;
+CertifiedPrimitive seenAndProved(const Primitive& primitive, const Solid& solid, const PrimitiveOptions& options,
+                                 const RunControl& control) {
   check(options);
   CertifiedPrimitive result;
   result.primitive = primitive;
@@ -104,17 +100,26 @@ CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, d
   return result;
 }
 
+}  // namespace
+
+CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, double margin, double tolerance, const RunControl& control) {
+  PrimitiveOptions options;
+  options.tolerance = tolerance;
+  options.margin = margin;
+  return seenAndProved(primitive, solid, options, control);
+}
+
 CertifiedPrimitive certificate(const std::vector<Primitive>& primitives, const Solid& solid, const PrimitiveOptions& options,
                                const RunControl& control) {
   check(options);
   CertifiedPrimitive result;
-  prove(result, primitives, solid, options, control);
+  if (!primitives.empty()) prove(result, primitives, solid, options, control);
   return result;
 }
 
 CertifiedPrimitive primitiveOfKind(PrimitiveKind kind, const ConvexHull& hull, const Solid& solid, const PrimitiveOptions& options,
                                    const RunControl& control) {
-  return certificate(enclosingPrimitive(kind, hull, control), solid, options.margin, options.tolerance, control);
+  return seenAndProved(enclosingPrimitive(kind, hull, control), solid, options, control);
 }
 
 std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, const Solid& solid, const PrimitiveOptions& options,

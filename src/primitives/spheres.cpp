@@ -47,6 +47,10 @@ void check(const SphereOptions& options) {
   if (options.max_spheres < 1) throw Error(ErrorCode::kBadOption, "a limit of 0 spheres; a mesh needs at least 1");
 }
 
+void expectTriangles(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; spheres need at least one");
+}
+
 std::size_t workFor(Effort effort) {
   return effort == Effort::kInstant ? 0 : effort == Effort::kQuick ? kQuickWork : kBestWork;
 }
@@ -118,6 +122,7 @@ bool covers(const std::vector<Sphere>& spheres, const TriangleMesh& mesh, const 
 CertifiedSpheres certifiedSpheres(const PreparedMesh& mesh, const SphereOptions& options, const RunControl& control) {
   check(options);
   check(mesh.original, control);
+  expectTriangles(mesh.original);
   expectMargin(mesh.margin, mesh.repaired.counts.weld_distance);
   expectResolvable(options.tolerance, diagonal(mesh.original), mesh.name);
   CertifiedSpheres result = withinLimit(mesh, options, control);
@@ -130,7 +135,7 @@ CertifiedSpheres certifiedSpheres(const PreparedMesh& mesh, const SphereOptions&
 
 CertifiedSpheres certifiedSpheres(const TriangleMesh& mesh, const SphereOptions& options, const RunControl& control) {
   check(options);
-  if (mesh.triangles.empty()) throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; spheres need at least one");
+  expectTriangles(mesh);
   const RepairedMesh repaired = repair(mesh, {}, control);
   const Solid solid(repaired, control);
   return certifiedSpheres({mesh, repaired, solid, repaired.counts.weld_distance, nullptr, ""}, options, control);

@@ -6,6 +6,16 @@
 
 namespace collision_hulls {
 
+std::string countedBodies(std::size_t hulls, std::size_t primitives) {
+  if (primitives == 0) return counted(hulls, "hull");
+  return (hulls > 0 ? counted(hulls, "hull") + " and " : "") + counted(primitives, "primitive");
+}
+
+std::string bodiesInColumn(std::size_t hulls, std::size_t primitives) {
+  if (primitives == 0) return std::to_string(hulls);
+  return (hulls > 0 ? std::to_string(hulls) + ", " : "") + counted(primitives, "primitive");
+}
+
 std::string kindOfBodies(const ModelReport& model) {
   const Totals sum = totals(model);
   if (sum.primitives == 0) return "hulls";

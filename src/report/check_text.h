@@ -1,6 +1,7 @@
 // What checks by queries found, in the words that tables, pages and messages share.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "base/counted.h"
@@ -10,6 +11,12 @@ namespace collision_hulls {
 
 /// Writes a number of things: counted(), or one that groups digits.
 using CountText = std::string (*)(std::size_t number, const std::string& noun, const std::string& plural);
+
+/// "7 hulls", "7 hulls and 1 primitive", "2 primitives".
+std::string countedBodies(std::size_t hulls, std::size_t primitives);
+
+/// "7", "7, 1 primitive", "2 primitives": for a table's column.
+std::string bodiesInColumn(std::size_t hulls, std::size_t primitives);
 
 /// "hulls", "primitives", or "bodies" where a model has both.
 std::string kindOfBodies(const ModelReport& model);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/pattern_fault.h"
 #include "base/uri_text.h"
 #include "collision_hulls/error.h"
 
@@ -83,8 +84,9 @@ std::regex compiled(const std::string& expression, const std::string& option) {
     return std::regex(expression, syntax);
   } catch (const std::regex_error& e) {
     const std::string meant = expression.rfind('*', 0) == 0 ? didYouMeanAny(expression) : "";
-    throw Error(ErrorCode::kBadOption, option + " '" + expression + "' is invalid: use a regular expression (ECMAScript, no " +
-                                           "back-references)" + (meant.empty() ? std::string(": ") + e.what() : meant));
+    throw Error(ErrorCode::kBadOption,
+                option + " '" + expression + "' is invalid: " +
+                    (meant.empty() ? patternFault(e.code()) : "use a regular expression (ECMAScript, no back-references)" + meant));
   }
 }
 

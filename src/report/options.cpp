@@ -124,7 +124,7 @@ void checkUnit(const std::string& option, const Length& length, const std::strin
   if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
   throw Error(ErrorCode::kBadOption,
               option + " '" + toString(length) + "' is more than " + decimal(kLargestTolerance) +
-                  " m, the largest that makes sense for a robot's links: a number without a unit is in metres; did you mean " +
+                  " m, the largest that makes sense for a mesh: a number without a unit is in metres; did you mean " +
                   toString(lengthOf(length.limit / 1000)) + "?" + otherwise);
 }
 
@@ -361,10 +361,6 @@ void checkShapes(const LinkOptions& options) {
   if (options.padding > 0) refuse("padding '" + toString(lengthOf(options.padding)) + "'", "hulls alone have");
   if (options.fill) refuse("fill", "hulls alone keep");
   if (!options.regions.empty()) refuse("region '" + options.regions.front().name + "'", "hulls alone keep");
-}
-
-void expectUnit(const std::string& option, double metres) {
-  checkUnit(option, lengthOf(metres));
 }
 
 void check(const Options& options) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/counted.h"
+#include "base/failure_cause.h"
 #include "base/string_parts.h"
 #include "base/uri_text.h"
 #include "collision_hulls/error.h"
@@ -30,12 +31,6 @@ std::string fileOf(const ElementReport& row) {
   return shown(lastPart(row.uri));
 }
 
-/// "3", "1 primitive", "3, 1 primitive"
-std::string bodies(std::size_t hulls, std::size_t primitives) {
-  if (primitives == 0) return std::to_string(hulls);
-  return (hulls > 0 ? std::to_string(hulls) + ", " : "") + counted(primitives, "primitive");
-}
-
 /// The bound holds for covers within the tolerance: degraded rows may have fewer hulls.
 std::optional<std::size_t> leastShown(const ElementReport& row) {
   return row.status == Status::kOk ? std::optional(row.least_hulls) : std::nullopt;
@@ -51,7 +46,7 @@ Cells cells(const ElementReport& row) {
   return {row.link,
           fileOf(row),
           std::to_string(row.triangles),
-          bodies(row.hulls, row.primitives),
+          bodiesInColumn(row.hulls, row.primitives),
           leastShown(row) ? std::to_string(*leastShown(row)) : "-",
           row.hulls > 0 ? std::to_string(row.hull_vertices) : "-",
           figureInMillimetres(row.protrusion),
@@ -85,7 +80,7 @@ Cells totalCells(const Report& report) {
   return {"total",
           counted(sum.meshes, "mesh", "meshes") + " of " + counted(sum.links, "link"),
           std::to_string(sum.triangles),
-          bodies(sum.hulls, sum.primitives),
+          bodiesInColumn(sum.hulls, sum.primitives),
           least ? std::to_string(*least) : "-",
           std::to_string(sum.hull_vertices),
           sum.meshes > sum.failed ? figureInMillimetres(protrusion) : "-",
@@ -177,9 +172,7 @@ std::string selfTable(const FitReport& fit) {
 /// "19 of 549 hulls", "14 hulls and 5 primitives in place of 549 hulls", "2 primitives in place of 3 hulls".
 std::string bodies(const FitReport& fit) {
   if (fit.primitives == 0) return share(fit.hulls, fit.full_hulls) + " hulls";
-  const std::size_t hulls = fit.hulls - fit.primitives;
-  return (hulls > 0 ? counted(hulls, "hull") + " and " : "") + counted(fit.primitives, "primitive") + " in place of " +
-         counted(fit.full_hulls, "hull");
+  return countedBodies(fit.hulls - fit.primitives, fit.primitives) + " in place of " + counted(fit.full_hulls, "hull");
 }
 
 std::string sceneLines(const Report& report) {
@@ -217,12 +210,10 @@ std::string failure(const Report& report, const ElementReport& row) {
   return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : shown(row.uri) + ": ") + row.reason;
 }
 
-/// What failures that are said once have in common: the folder, and the reason but for the file's name.
+/// Files are missing folder by folder.
 std::string cause(const ElementReport& row) {
-  const std::string file = lastPart(row.uri);
-  std::string reason = row.reason;
-  for (std::size_t at = 0; !file.empty() && (at = reason.find(file, at)) != std::string::npos;) reason.erase(at, file.size());
-  return row.error + "\n" + row.uri.substr(0, row.uri.size() - file.size()) + "\n" + reason;
+  const Folder folder = row.error == name(ErrorCode::kFileNotFound) ? Folder::kKept : Folder::kLeftOut;
+  return row.error + "\n" + failureCause(row.reason, row.uri, row.link, folder);
 }
 
 /// Lines for failures with the same cause: one for all of them, if they are many.
@@ -233,8 +224,7 @@ std::vector<std::string> linesFor(const Report& report, const std::vector<const 
   if (rows.size() <= kFew) return lines;
   std::set<std::string> links;
   for (const ElementReport* row : rows) links.insert(row->link);
-  return {lines.front() + " (the same for " + counted(rows.size() - 1, "more mesh", "more meshes") + " of this folder, of " +
-          counted(links.size(), "link") + " in all)"};
+  return {lines.front() + theSameFor(rows.size() - 1, links.size())};
 }
 
 /// A mesh that fails for the same reason in several models is named once.

@@ -20,6 +20,8 @@
 #include "collision_hulls/pipeline/output.h"
 #include "command_line.h"
 #include "decompose_options.h"
+#include "length_options.h"
+#include "pipeline/stages.h"
 #include "robot/package_place.h"
 #include "storage/files.h"
 #include "storage/names.h"
@@ -38,8 +40,10 @@ struct RobotCommand {
   std::vector<std::string> consumer_names;
   std::vector<Consumer> consumers;  // once they are known
   GivenOptions given;
-  Options options;                    // once they are known: the defaults, then the file, then what is given
-  std::vector<std::string> notes;     // on them
+  Options options;                 // once they are known: the defaults, then the file, then what is given
+  std::vector<std::string> notes;  // on them
+  /// Refuses an input and an output for what only this program knows, before anything long; may be empty.
+  std::function<void(const Input& input, const std::string& output, const RunControl& control)> refuse_early;
   const CommandLine* line = nullptr;  // that fills it
 };
 
@@ -128,7 +132,7 @@ inline ModelOptions modelOf(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw Error(ErrorCode::kBadOption, "--model '" + text + "' is invalid: use a name and a tolerance, as in contact=2mm");
-  return {text.substr(0, equals), parseLength(text.substr(equals + 1), "--model " + text.substr(0, equals))};
+  return {text.substr(0, equals), lengthIn(text.substr(equals + 1), "--model " + text.substr(0, equals))};
 }
 
 /// Fills command.options.
@@ -177,10 +181,10 @@ inline void checkConfig(const RobotCommand& command, const Input& input, const s
                     "without its comments; copy it to a place outside");
 }
 
-/// Refuses options of robots for a mesh.
+/// Refuses options of robots for a mesh, and those of meshes for a robot.
 inline void checkSuits(const Input& input, const RobotCommand& command) {
   const Options& options = command.options;
-  if (input.kind == Input::Kind::kRobot) return;
+  if (input.kind == Input::Kind::kRobot) return checkForRobot(options);
   if (!command.consumers.empty())
     throw Error(ErrorCode::kBadOption, std::string("--for ") + name(command.consumers.front()) + ": '" + input.path +
                                            "' is a mesh, and only a robot's description has a form for it; leave the option out");
@@ -192,6 +196,7 @@ inline void checkSuits(const Input& input, const RobotCommand& command) {
   if (!options.package_name.empty())
     throw Error(ErrorCode::kBadOption, "package-name '" + options.package_name + "': '" + input.path +
                                            "' is a mesh, and its output is not a package; leave the option out");
+  checkForMesh(input.path, options);
 }
 
 /// A first sign of life: xacro alone may take seconds.
@@ -251,6 +256,7 @@ inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunCon
       checkBeside(command.json = writablePath(command.json), output);
       checkHoldsReport(command.json);
     });
+  if (command.refuse_early) command.refuse_early(input, output, control);
   const std::string work_ahead = workOn(input, command.options, control);
   if (!command.quiet && !work_ahead.empty()) std::cerr << "reading " << work_ahead << "\n";
   MadeRobot made{work(input, output, control, step), output};

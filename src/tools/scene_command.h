@@ -6,7 +6,12 @@
 #include <system_error>
 
 #include "base/in_context.h"
+#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/pipeline/fit_scene.h"
+#include "collision_hulls/robot/kinematics.h"
+#include "file_options.h"
+#include "pipeline/scene/fit_refusals.h"
+#include "pipeline/scene/held_joints.h"
 #include "robot_command.h"
 #include "storage/csv.h"
 #include "storage/files.h"
@@ -19,8 +24,9 @@ struct SceneCommand {
   RobotCommand robot;
   std::string scene, clearance, configurations, joints, srdf, compare;
   std::vector<std::string> at;
-  double clearance_metres = 0;              // once it is known
-  std::map<std::string, double> positions;  // the same, of `at`
+  std::string srdf_text;  // once it is known, as what follows
+  double clearance_metres = 0;
+  std::map<std::string, double> positions;  // of `at`
   int samples = 10000;
   double max_step = 0;
   bool hulls_only = false;
@@ -77,7 +83,32 @@ inline void refuseForDecompose(const RobotCommand& command) {
       throw Error(ErrorCode::kBadOption, "--for curobo needs a model of spheres alone, which is not fitted to a scene; use decompose");
 }
 
-/// Checks what needs no file, so that nothing is read in vain.
+/// Refuses a file that cannot be written, that holds something else than a comparison, or that the report goes to.
+inline void checkComparison(SceneCommand& command, const std::string& output) {
+  command.compare = writablePath(command.compare);
+  checkBeside(command.compare, output);
+  expectFolderOf(command.compare);
+  checkBeginsWith(command.compare, kComparisonHeader, "comparison");
+  std::error_code none;
+  const bool is_special = std::filesystem::exists(command.compare, none) && !std::filesystem::is_regular_file(command.compare, none);
+  if (isFile(command.robot.json) && !is_special && liesWithin(command.compare, command.robot.json))
+    throw Error(ErrorCode::kBadOption, "'" + command.compare + "' is also the file of --json; choose another name");
+}
+
+/// Checks what the robot and the output decide, and reads the SRDF.
+inline void refuseBeforeMeshes(SceneCommand& command, const Input& input, const std::string& output, const RunControl& control) {
+  if (input.kind != Input::Kind::kRobot)
+    throw Error(ErrorCode::kBadOption,
+                "'" + input.path + "' is a mesh; only a robot can be fitted to a scene, so give a URDF, xacro file or package");
+  if (!command.compare.empty()) inContext("--compare", [&] { checkComparison(command, output); });
+  const Options& options = command.robot.options;
+  refuseOtherWays(input.robot, options, LinkDecisions(options, input.robot, control));
+  checkClearance(command.clearance_metres, input.robot);
+  heldJoints(Kinematics(input.robot), command.joints, command.positions);
+  if (!command.srdf.empty()) command.srdf_text = readTextFileOrPipe(command.srdf, ".srdf file", control);
+}
+
+/// Checks what needs no file, so that nothing is read in vain, and prepares the checks of what does. `command` must not move from here on.
 inline void interpret(SceneCommand& command) {
   refuseForDecompose(command.robot);
   if (command.samples <= 0)
@@ -87,26 +118,14 @@ inline void interpret(SceneCommand& command) {
   check(FitOptions{command.clearance_metres, static_cast<std::size_t>(command.samples)});
   if (command.compare == "-")
     throw Error(ErrorCode::kBadOption, "--compare '-': the comparison cannot go to standard output, which has the table; give a file");
-}
-
-/// Refuses a file that cannot be written, that holds something else than a comparison, or that the report goes to.
-inline void checkComparison(SceneCommand& command, const std::string& output) {
-  command.compare = writablePath(command.compare);
-  checkBeside(command.compare, output);
-  checkBeginsWith(command.compare, kComparisonHeader, "comparison");
-  std::error_code none;
-  const bool is_special = std::filesystem::exists(command.compare, none) && !std::filesystem::is_regular_file(command.compare, none);
-  if (isFile(command.robot.json) && !is_special && liesWithin(command.compare, command.robot.json))
-    throw Error(ErrorCode::kBadOption, "'" + command.compare + "' is also the file of --json; choose another name");
+  command.robot.refuse_early = [&command](const Input& input, const std::string& output, const RunControl& control) {
+    refuseBeforeMeshes(command, input, output, control);
+  };
 }
 
 inline SceneRequest requestOf(const SceneCommand& command, const Input& input, const RunControl& control) {
-  if (input.kind != Input::Kind::kRobot)
-    throw Error(ErrorCode::kBadOption,
-                "'" + input.path + "' is a mesh; only a robot can be fitted to a scene, so give a URDF, xacro file or package");
-  const std::string srdf = command.srdf.empty() ? "" : readTextFileOrPipe(command.srdf, ".srdf file", control);
   SceneRequest request = readSceneRequest(input,
-                                          {command.scene, srdf, command.srdf, command.configurations, command.max_step,
+                                          {command.scene, command.srdf_text, command.srdf, command.configurations, command.max_step,
                                            meshLimits(command.robot.options), command.robot.package_path},
                                           control);
   request.clearance = command.clearance_metres;
@@ -121,7 +140,6 @@ inline SceneRequest requestOf(const SceneCommand& command, const Input& input, c
 /// Fits, for a command that was interpreted. `command` must outlive it.
 inline RobotWork fitting(SceneCommand& command) {
   return [&command](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
-    if (!command.compare.empty()) inContext("--compare", [&] { checkComparison(command, output); });
     const SceneRequest request = requestOf(command, input, control);
     RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
     if (request.compare && result.report.scene) command.comparison = comparisonCsv(result.robot_name, *result.report.scene);

@@ -4,11 +4,13 @@
 #include <map>
 
 #include "base/counted.h"
+#include "base/failure_cause.h"
 #include "base/in_context.h"
 #include "base/shell_word.h"
 #include "collision_hulls/pipeline/input.h"
 #include "decompose_options.h"
-#include "report/largest_tolerance.h"
+#include "file_options.h"
+#include "length_options.h"
 #include "storage/files.h"
 #include "terminal_program.h"
 
@@ -78,9 +80,7 @@ void addOptions(CommandLine& app, Command& command) {
 
 std::optional<double> gate(const std::string& text, const std::string& option) {
   if (text.empty()) return std::nullopt;
-  const double metres = parseMetresOrZero(text, option);
-  expectUnit(option, metres);
-  return metres;
+  return metresOrZeroIn(text, option);
 }
 
 void interpret(Command& command) {
@@ -119,20 +119,40 @@ std::string tableOf(Verification seen, const VerifyOptions& options) {
   return toTable(seen);
 }
 
-/// A line for each reason: links that lack the same package share one.
-void printFailures(const Verification& seen, const VerifyOptions& options) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> links_by_reason;
+/// Rows in groups with the same key, in the order of their first ones.
+template <typename Key>
+std::vector<std::vector<const LinkVerification*>> grouped(const std::vector<const LinkVerification*>& rows, const Key& key) {
+  std::vector<std::vector<const LinkVerification*>> groups;
   std::map<std::string, std::size_t> places;  // in it
-  for (const LinkVerification& row : seen.links) {
-    if (!isFailure(row, options)) continue;
-    const auto [known, is_new] = places.emplace(row.reason, links_by_reason.size());
-    if (is_new) links_by_reason.push_back({row.reason, {}});
-    links_by_reason[known->second].second.push_back(row.link);
+  for (const LinkVerification* row : rows) {
+    const std::size_t place = places.emplace(key(*row), groups.size()).first->second;
+    if (place == groups.size()) groups.emplace_back();
+    groups[place].push_back(row);
   }
-  for (const auto& [reason, links] : links_by_reason) {
+  return groups;
+}
+
+/// A line for each reason: links that lack the same package share one, and many meshes of the same cause do.
+std::vector<std::string> linesFor(const std::vector<const LinkVerification*>& rows) {
+  constexpr std::size_t kFew = 3;
+  std::vector<std::string> lines;
+  for (const auto& links : grouped(rows, [](const LinkVerification& row) { return row.reason; })) {
     const std::string others = links.size() > 1 ? " and " + counted(links.size() - 1, "more link") : "";
-    std::cerr << "verify: " << links.front() << others << ": " << reason << "\n";
+    lines.push_back(links.front()->link + others + ": " + links.front()->reason);
   }
+  if (lines.size() <= kFew) return lines;
+  return {lines.front() + theSameFor(lines.size() - 1, rows.size())};
+}
+
+void printFailures(const Verification& seen, const VerifyOptions& options) {
+  std::vector<const LinkVerification*> failed;
+  for (const LinkVerification& row : seen.links)
+    if (isFailure(row, options)) failed.push_back(&row);
+  const auto cause = [](const LinkVerification& row) {
+    return row.status == LinkStatus::kFailed ? failureCause(row.reason, row.uri, row.link, Folder::kKept) : row.reason;
+  };
+  for (const auto& rows : grouped(failed, cause))
+    for (const std::string& line : linesFor(rows)) std::cerr << "verify: " << line << "\n";
 }
 
 void print(const Verification& seen, const Command& command, const RunControl& control) {
@@ -156,7 +176,8 @@ int run(Command& command, const CommandLine& line) {
   static RunControl control;  // a signal may come until the program ends
   cancelOnSignals(control);
   interpret(command);
-  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json), checkHoldsReport(command.json); });
+  if (isFile(command.json))
+    inContext("--json", [&] { checkNamedFile(command.json), expectFolderOf(command.json), checkHoldsReport(command.json); });
   const std::string given = line.given(), before = line.call() + " " + shellWord(command.original),
                     after = shellWord(command.result) + " " + given;
   const Input original = openInput(command.original, {command.package_path, command.xacro_arguments, true, line.call(), after}, control);

@@ -111,6 +111,7 @@ LinkBodies MeshFiles::bodiesOf(const std::vector<GeometryElement>& elements) {
     } catch (const Error& e) {
       if (e.code() == ErrorCode::kCancelled) throw;
       bodies.fault = e.what();
+      bodies.fault_uri = element.uri;
       return bodies;
     }
   }

@@ -24,6 +24,7 @@ struct LinkBodies {
   std::vector<MeshBody> meshes;
   double resolution = 0;  ///< [m] what the reader may have rounded
   std::string fault;      ///< why they cannot be compared; empty: they can
+  std::string fault_uri;  ///< of the mesh that is to blame; empty: a primitive is, or nothing
 
   bool empty() const { return primitives.empty() && meshes.empty(); }
   std::vector<ConvexHull> hulls() const;  ///< the meshes' convex components

@@ -134,6 +134,7 @@ class Verifier {
     if (!original.fault.empty() || !result.fault.empty()) {
       row.status = LinkStatus::kFailed;
       row.reason = original.fault.empty() ? "RESULT: " + result.fault : "ORIGINAL: " + original.fault;
+      row.uri = original.fault.empty() ? result.fault_uri : original.fault_uri;
     } else if (result.empty()) {
       row.status = LinkStatus::kMissing;
       row.reason = alone ? "RESULT has no such link" : "RESULT has no collision geometry here";

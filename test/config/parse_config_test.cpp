@@ -121,7 +121,7 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"links:\n  arm:", {"line 2", "links 'arm' is nothing", "keep, remove"}},
       {"links:\n  arm: {}", {"links 'arm' is a map", "such as {tolerance: 2mm}"}},
       {"links:\n  arm: 2mm", {"links 'arm' is '2mm'", "{tolerance: 2mm}"}},
-      {"links:\n  \"(arm\": keep", {"line 2", "links '(arm' is invalid", "regular expression"}},
+      {"links:\n  \"(arm\": keep", {"line 2", "links '(arm' is invalid", "lacks its partner"}},
       {"links:\n  \"(a)\\\\1\": keep", {"line 2", "back-references"}},
       {"links:\n  arm: keep\n  hand: remove\n  arm: remove", {"line 4", "'arm' of links is already in line 2"}},
       {"links:\n  arm: {tolerance: 1mm, tolerance: 2mm}", {"'tolerance' of links 'arm' is already in line 2"}},

@@ -135,10 +135,12 @@ TEST(Region, RefusesWhatIsNone) {
   expectRefused("normal [0, 0, 0]", [] { halfSpaceRegion({0, 0, 0}, 1, kClear); });
   expectRefused("offset inf", [] { halfSpaceRegion({0, 0, 1}, std::numeric_limits<double>::infinity(), kClear); });
   for (const double tolerance : {0.0, -1.0, std::nan("")}) expectRefused("tolerance", [&] { halfSpaceRegion({0, 0, 1}, 0, tolerance); });
-  Eigen::Isometry3d nowhere = here, stretched = here;
+  Eigen::Isometry3d nowhere = here, stretched = here, sheared = here;
   nowhere.translation().x() = std::nan("");
   stretched.linear() *= 2;
-  for (const Eigen::Isometry3d& pose : {nowhere, stretched}) expectRefused("must be rigid", [&] { boxRegion({1, 1, 1}, pose, kClear); });
+  sheared.linear().col(1) << 0.6, 0.8, 0;  // of unit length
+  for (const Eigen::Isometry3d& pose : {nowhere, stretched, sheared})
+    expectRefused("must be rigid", [&] { boxRegion({1, 1, 1}, pose, kClear); });
 }
 
 TEST(Region, OneMadeByHandIsChecked) {

@@ -58,6 +58,15 @@ class LinkTableTest : public testing::Test {
   LinkTable table_;
 };
 
+TEST_F(LinkTableTest, PrimitivesAreCountedByThemselves) {
+  std::vector<LinkRow> rows = threeLinks();
+  rows[0].facts.primitives = 2;
+  rows[2].facts.primitives = 4;
+  table_.take(rows);
+  EXPECT_EQ(9u, table_.totals().hulls);
+  EXPECT_EQ(6u, table_.totals().primitives);
+}
+
 TEST_F(LinkTableTest, TotalsAreSumsAndTheLargestProtrusion) {
   const TableTotals totals = table_.totals();
   EXPECT_EQ(3u, totals.links);

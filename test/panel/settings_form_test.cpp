@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "config/link_rule.h"
+#include "panel/table_model.h"
 
 namespace collision_hulls {
 namespace {
@@ -74,6 +75,23 @@ TEST_F(SettingsFormTest, WhatIsRefusedIsNamedWithItsValue) {
     EXPECT_EQ(0u, told().find(message)) << told();
     EXPECT_FALSE(changed_);
   }
+}
+
+TEST_F(SettingsFormTest, CountsHullsAndPrimitives) {
+  const auto tell = [&](std::size_t hulls, std::size_t primitives) {
+    row_.facts.hulls = hulls;
+    row_.facts.primitives = primitives;
+    show();
+    return told();
+  };
+  EXPECT_EQ("<b>1 hull</b>", tell(1, 0));
+  EXPECT_EQ("<b>12 primitives</b>", tell(0, 12));
+  EXPECT_EQ("<b>3 hulls and 1 primitive</b>", tell(3, 1));
+  LinkTable links;
+  links.take({row_});
+  const TableModel table(links);
+  EXPECT_EQ("3, 1 primitive", table.data(table.index(0, TableModel::kHulls), Qt::DisplayRole).toString());
+  EXPECT_EQ(4, table.data(table.index(0, TableModel::kHulls), TableModel::kSortRole).toInt());
 }
 
 TEST_F(SettingsFormTest, OpeningsOfALinkThatIsKeptAreNotAsked) {

@@ -71,11 +71,29 @@ TEST_F(FailedMeshes, ALinkWithoutCollisionElementsGetsTheHullsOfItsOtherMeshes) 
   EXPECT_NE(result.urdf.find("meshes/base/0_0.stl"), std::string::npos) << result.urdf;
   const std::string all = fixtures::joined(result.report.notes);
   for (const char* part :
-       {"link 'base' has no <collision> elements to keep in place of a mesh that failed: only its other elements collide",
-        "link 'ball' has no <collision> elements to keep in place of a mesh that failed: only its other elements collide",
+       {"links base, ball have no <collision> elements to keep in place of meshes that failed: only their other elements collide; mend the "
+        "meshes, or add <collision> elements",
         "link 'tip' has no <collision> elements to keep in place of a mesh that failed: nothing collides there; mend the mesh, or add a "
         "<collision> element"})
     EXPECT_NE(all.find(part), std::string::npos) << all;
+}
+
+TEST_F(FailedMeshes, LinksWithTheSameLossShareANote) {
+  std::string links = link("base", collision("box.obj"));
+  for (int i = 0; i < 7; ++i) {
+    links += link("bare" + std::to_string(i), visual("rubbish.stl"), "base");
+    links += link("part" + std::to_string(i), collision("box.obj") + collision("rubbish.stl"), "base");
+  }
+  const std::vector<std::string> notes = run(links).report.notes;
+  const auto counted = [&](const std::string& note) { return std::count(notes.begin(), notes.end(), note); };
+  EXPECT_EQ(counted("links bare0, bare1, bare2, bare3, bare4 and 2 more have no <collision> elements to keep in place of meshes that "
+                    "failed: nothing collides there; mend the meshes, or add <collision> elements"),
+            1)
+      << fixtures::joined(notes);
+  EXPECT_EQ(counted("links part0, part1, part2, part3, part4 and 2 more keep their collision elements because one of their meshes failed; "
+                    "hulls of their other meshes are written, but not used"),
+            1);
+  for (const std::string& note : notes) EXPECT_EQ(note.find("link '"), std::string::npos) << note;
 }
 
 // Each row names its own mesh, though equal ones are worked on once.

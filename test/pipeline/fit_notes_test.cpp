@@ -1,4 +1,6 @@
 // What a fit to a scene notes. Tests src/pipeline/scene/fit_notes.cpp.
+#include "pipeline/scene/fit_notes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -144,6 +146,35 @@ TEST_F(FitRobotToScene, TellsOfLinksThatMeetWithinTheClearance) {
   EXPECT_TRUE(isNoted(run(links), told));
   request_.clearance = 0.01;
   EXPECT_FALSE(isNoted(run(links), told));
+}
+
+TEST(NoteOnSpeed, SaysWhyTheFittedModelIsSlower) {
+  FitReport fit;
+  fit.query_us = 7.4;
+  fit.distance_us = 37.2;
+  fit.original_query_us = 5;
+  fit.original_distance_us = 641;
+  Scene scene{"kitchen", {{"table", boxShape({1, 1, 1})}, {"cup", test_shapes::box(1, 1, 1)}, {"ball", test_shapes::sphere()}}};
+  EXPECT_EQ(noteOnSpeed(fit, scene), "");
+  fit.query_us = 7.96;
+  EXPECT_EQ(
+      noteOnSpeed(fit, scene),
+      "the fitted model is slower than the meshes: it takes 7.96 us for a collision query, 5.00 us with the meshes. Body 'ball' of the "
+      "scene is a mesh, and hulls take long against a mesh: give it as boxes, cylinders or spheres, which 'decompose --shapes "
+      "primitives' makes");
+  scene.bodies.resize(1);
+  fit.distance_us = 1000;
+  EXPECT_EQ(noteOnSpeed(fit, scene),
+            "the fitted model is slower than the meshes: it takes 7.96 us for a collision query, 5.00 us with the meshes; 1000 us for a "
+            "distance query, 641 us with the meshes. Hulls gain little where meshes have few triangles: keep the meshes, or give a larger "
+            "clearance, which takes fewer hulls");
+  fit.query_us = 0.9;
+  fit.original_query_us = 0.2;
+  fit.distance_us = fit.original_distance_us = 641;
+  EXPECT_EQ(noteOnSpeed(fit, scene), "") << "too little to measure";
+  fit.query_us = 7.96;
+  fit.original_query_us = 0;
+  EXPECT_EQ(noteOnSpeed(fit, scene), "") << "nothing was measured";
 }
 
 }  // namespace

@@ -80,11 +80,12 @@ TEST_F(ProgressTest, EachFinishedElementIsACall) {
   progress_.begin("decompose", 1, {1});
   const std::size_t before = steps_.size();
   progress_.finishElement("arm", 3);
-  progress_.finishElement("hand", 2);
+  progress_.finishElement("hand", 2, 4);
   ASSERT_EQ(steps_.size(), before + 2);
   EXPECT_EQ(steps_.back().item, "hand");
   EXPECT_EQ(steps_.back().done, 2u);
   EXPECT_EQ(steps_.back().hulls, 5u);
+  EXPECT_EQ(steps_.back().primitives, 4u);
 }
 
 TEST_F(ProgressTest, PartsStopWithTheRun) {

@@ -10,6 +10,8 @@ TEST(ProgressText, SaysWhatGoesOn) {
   EXPECT_EQ(progressLine({"read", "", 0, 1, 0, 0, -1}), "reading 1 mesh");
   EXPECT_EQ(progressLine({"decompose", "arm", 7, 42, 17, 0.439, 38}), "43 %, 7 of 42 meshes, 17 hulls, about 40 s left");
   EXPECT_EQ(progressLine({"decompose", "arm", 1, 1, 1, 0.5, -1}), "50 %, 1 of 1 mesh, 1 hull");
+  EXPECT_EQ(progressLine({"decompose", "arm", 1, 2, 3, 0.5, -1, 12}), "50 %, 1 of 2 meshes, 3 hulls and 12 primitives");
+  EXPECT_EQ(progressLine({"decompose", "arm", 1, 2, 0, 0.5, -1, 12}), "50 %, 1 of 2 meshes, 12 primitives");
   EXPECT_EQ(progressLine({"fit", "", 42, 42, 99, 0.5, 90}), "50 %, fitting to the scene, about 90 s left");
   EXPECT_EQ(progressLine({"certify", "", 42, 42, 99, 0.85, 3}), "85 %, certifying the fitted hulls, about 3 s left");
   EXPECT_EQ(stepText({"validate", "", 42, 42, 99, 0.97, 0.2}), "validating, about 1 s left");

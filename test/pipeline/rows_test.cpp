@@ -1,3 +1,4 @@
+// Also tests src/pipeline/notes/hull_notes.cpp.
 #include "pipeline/rows.h"
 
 #include <gtest/gtest.h>
@@ -137,13 +138,12 @@ TEST(PutTogether, NotesMeshesOfVeryManyHulls) {
     putTogether({use("a"), use("b")}, {shared(boxes(first)), shared(boxes(second))}, result);
     return result.report.notes;
   };
-  EXPECT_TRUE(notes(100, 100, false).empty());
+  EXPECT_TRUE(notes(39, 39, false).empty());
   EXPECT_EQ(
-      notes(101, 100, false),
-      std::vector<std::string>{"'a.stl' took 101 hulls at a tolerance of 10 mm: a larger tolerance makes fewer; so does a limit, as in "
+      notes(40, 39, false),
+      std::vector<std::string>{"'a.stl' took 40 hulls at a tolerance of 10 mm: a larger tolerance makes fewer; so does a limit, as in "
                                "--max-hulls 16"});
-  EXPECT_NE(notes(101, 102, false).at(0).find("'b.stl' took 102 hulls at a tolerance of 10 mm, and 1 other mesh over 100:"),
-            std::string::npos);
+  EXPECT_EQ(notes(41, 42, false).at(0).find("'b.stl' took 42 hulls at a tolerance of 10 mm; 1 other mesh is like it: "), 0u);
   EXPECT_TRUE(notes(101, 100, true).empty()) << "a fit to a scene chose them";
   MeshUse with_region = use("a");
   with_region.options.regions = {boxRegion({1, 1, 1}, Eigen::Isometry3d::Identity(), 0.02),
@@ -158,18 +158,43 @@ TEST(PutTogether, NotesMeshesOfVeryManyHulls) {
 }
 
 TEST(PutTogether, NotesVeryManyHullsInAll) {
-  const auto notes = [](std::size_t more) {
+  const auto notes = [](const std::vector<std::size_t>& counts) {
+    std::vector<MeshUse> uses;
+    MeshResults meshes;
+    for (const std::size_t count : counts) {
+      uses.push_back(use("link" + std::to_string(uses.size())));
+      meshes.push_back(shared(boxes(count)));
+    }
     RobotResult result;
-    const MeshResults meshes{shared(boxes(100)), shared(boxes(100)),        shared(boxes(100)),
-                             shared(boxes(100)), shared(boxes(100 - more)), shared(boxes(2 * more))};
-    putTogether({use("a"), use("b"), use("c"), use("d"), use("e"), use("f")}, meshes, result);
+    putTogether(uses, meshes, result);
     return result.report.notes;
   };
-  EXPECT_EQ(notes(1),
-            std::vector<std::string>{
-                "6 meshes took 501 hulls: for fewer, give a larger tolerance, and for small parts a larger percentage with it, as in "
-                "3cm,20%; or limit the hulls of each mesh, as in --max-hulls 4"});
-  EXPECT_TRUE(notes(0).empty()) << "500 in all";
+  const std::string all = "for fewer, give a larger tolerance, and for small parts a larger percentage with it, as in 3cm,20%; or ";
+  std::vector<std::size_t> counts(14, 36);
+  EXPECT_EQ(notes(counts),
+            std::vector<std::string>{"14 meshes took 504 hulls: " + all + "limit the hulls of each mesh, as in --max-hulls 4"});
+  counts.back() = 32;
+  EXPECT_TRUE(notes(counts).empty()) << "500 in all";
+  EXPECT_EQ(notes({501}).size(), 1u) << "its own note says it";
+  const std::vector<std::string> both = notes({300, 201});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].find("'link0.stl' took 300 hulls"), 0u) << both[0];
+  EXPECT_EQ(both[1].find("2 meshes took 501 hulls: "), 0u) << both[1];
+}
+
+TEST(PutTogether, AMeshOfManyHullsHasOneNote) {
+  MeshResult shell = boxes(105), detailed = boxes(104);
+  shell.mesh.openings = 2;
+  shell.mesh.widest_opening = 0.3;
+  MeshResult loose = shell;
+  loose.mesh.repair.components = 30;
+  RobotResult result;
+  putTogether({use("a"), use("b"), use("c")}, {shared(shell), shared(detailed), shared(loose)}, result);
+  const std::vector<std::string>& notes = result.report.notes;
+  ASSERT_EQ(notes.size(), 3u) << ::testing::PrintToString(notes);
+  EXPECT_EQ(notes[0].find("'c.stl' consists of 30 loose parts and took 105 hulls: "), 0u) << notes[0];
+  EXPECT_EQ(notes[1].find("'a.stl' has 2 openings and took 105 hulls: "), 0u) << notes[1];
+  EXPECT_EQ(notes[2].find("'b.stl' took 104 hulls at a tolerance of 10 mm: "), 0u) << notes[2];
 }
 
 TEST(PutTogether, NothingIsKnownOfTheSizeOfKeptMeshes) {
@@ -221,6 +246,35 @@ TEST(PutTogether, NotesMeshesOfManyLooseParts) {
             "'a.stl' consists of 45 loose parts and took 36 hulls: if parts lie in a housing with openings, --close-openings makes it "
             "solid, and they take no hulls; or remove parts that nothing can touch");
   EXPECT_NE(notes(45, 36, 2).at(0).find("36 hulls; 1 other mesh is like it: "), std::string::npos);
+}
+
+/// Boxes side by side, and brackets.
+TriangleMesh parts(int boxes, int brackets) {
+  std::vector<TriangleMesh> all;
+  for (int i = 0; i < boxes; ++i) all.push_back(test_shapes::moved(test_shapes::box(1, 1, 1), {2. * i, 0, 0}));
+  for (int i = 0; i < brackets; ++i) all.push_back(test_shapes::moved(test_shapes::lBracket(), {2. * i, 5, 0}));
+  return test_shapes::merged(all);
+}
+
+TEST(PutTogether, NotesMeshesThatConsistOfConvexPartsAlready) {
+  const auto note = [](const TriangleMesh& original, std::size_t openings = 0, bool single_mesh = false) {
+    MeshResult mesh = boxes(30);
+    mesh.original = original;
+    mesh.mesh.repair.components = 25;
+    mesh.mesh.openings = openings;
+    RobotResult result;
+    result.single_mesh = single_mesh;
+    putTogether({use("a")}, {shared(mesh)}, result);
+    return result.report.notes.at(0);
+  };
+  EXPECT_EQ(note(parts(25, 0)),
+            "'a.stl' already consists of 25 convex parts, and took 30 hulls: use it as it is ('keep' in a configuration), or give a larger "
+            "tolerance for fewer hulls");
+  EXPECT_EQ(note(parts(25, 1)).find("'a.stl' already consists of 25 convex parts and 1 other, and took 30 hulls: "), 0u);
+  EXPECT_NE(note(parts(25, 0), 0, true).find(": use it as it is, or give"), std::string::npos) << "a mesh has no configuration";
+  EXPECT_NE(note(parts(20, 5)).find("25 loose parts"), std::string::npos) << "a quarter of its surface is of other parts";
+  EXPECT_NE(note(parts(19, 0)).find("25 loose parts"), std::string::npos) << "few are convex";
+  EXPECT_NE(note(parts(25, 0), 1).find("25 loose parts"), std::string::npos) << "a housing may be open";
 }
 
 TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {

@@ -43,6 +43,14 @@ TEST_F(StepsOfARun, AreReported) {
   EXPECT_EQ(fractions.back(), 1);
 }
 
+TEST_F(StepsOfARun, PrimitivesAreNoHulls) {
+  options_.shapes = Shapes::kBox;
+  Step last;
+  run(link("a", collision("bracket.obj")) + link("b", collision("channel.obj"), "a"), {}, [&](const Step& step) { last = step; });
+  EXPECT_EQ(last.hulls, 0u);
+  EXPECT_EQ(last.primitives, 2u);
+}
+
 TEST_F(StepsOfARun, ProgressComesFromWithinAMesh) {
   RunControl control;
   std::set<double> within;

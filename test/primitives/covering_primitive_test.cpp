@@ -132,6 +132,15 @@ TEST(CoveringPrimitive, TheBoundOfABarIsThatOfThePolyhedronAroundIt) {
   EXPECT_TRUE(coveringPrimitive(hullOf(mesh), solidOf(mesh), options));
   options.bar_excess = 0.05;  // 5 mm
   EXPECT_FALSE(coveringPrimitive(hullOf(mesh), solidOf(mesh), options));
+  EXPECT_LT(primitiveOfKind(Kind::kCylinder, hullOf(mesh), solidOf(mesh), within(0.003)).bound, 0.002);
+  EXPECT_GT(primitiveOfKind(Kind::kCylinder, hullOf(mesh), solidOf(mesh), options).bound, 0.004);
+}
+
+TEST(Certificate, OfNoPrimitivesIsZero) {
+  const Solid far = solidOf(moved(box(1, 1, 1), {5, 0, 0}));
+  const CertifiedPrimitive proof = certificate(std::vector<Primitive>{}, far, within(0.01));
+  EXPECT_EQ(proof.bound, 0);
+  EXPECT_EQ(proof.found, 0);
 }
 
 TEST(Certificate, OfSeveralPrimitivesIsThatOfTheWorst) {

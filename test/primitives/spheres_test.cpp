@@ -267,6 +267,7 @@ TEST(CertifiedSpheres, RefuseWhatWouldProveNothingOrNeverEnd) {
   EXPECT_THROW(certifiedSpheres(mesh, within(0.99e-6 * diagonal(mesh))), Error);
   EXPECT_THROW(certifiedSpheres({mesh, repaired, solid, -1e-3, nullptr, ""}, within(0.1)), Error);
   EXPECT_THROW(certifiedSpheres({endless, repaired, solid, 0, nullptr, ""}, within(0.1)), Error);
+  EXPECT_THROW(certifiedSpheres({TriangleMesh{}, repaired, solid, 0, nullptr, ""}, within(0.1)), Error);
 }
 
 TEST(CertifiedSpheres, ProgressEndsAtOne) {

@@ -26,6 +26,15 @@ TEST(CheckText, InTheNumbersOfTheTextAround) {
   EXPECT_EQ(checkText(found, "bodies", rough).rfind("many queries compared bodies and meshes: few collisions missed, no false", 0), 0u);
 }
 
+TEST(CheckText, NumbersOfBodies) {
+  EXPECT_EQ(countedBodies(0, 0), "0 hulls");
+  EXPECT_EQ(countedBodies(1, 2), "1 hull and 2 primitives");
+  EXPECT_EQ(countedBodies(0, 1), "1 primitive");
+  EXPECT_EQ(bodiesInColumn(3, 0), "3");
+  EXPECT_EQ(bodiesInColumn(3, 1), "3, 1 primitive");
+  EXPECT_EQ(bodiesInColumn(0, 2), "2 primitives");
+}
+
 TEST(CheckText, KindsOfBodies) {
   ModelReport model;
   model.links.resize(2);

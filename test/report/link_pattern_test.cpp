@@ -88,6 +88,15 @@ TEST(LinkPattern, RefusesWhatIsNoExpression) {
   }
 }
 
+TEST(LinkPattern, SaysWhatIsWrongInItsOwnWords) {
+  try {
+    const LinkPattern pattern("arm_[", "--links");
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "--links 'arm_[' is invalid: a '[' is not closed; add ']', or write \\[ for the character itself");
+  }
+}
+
 // A configuration could not hold them.
 TEST(LinkPattern, RefusesControlCharacters) {
   for (const std::string& expression : {std::string("a\nb"), std::string("a|b\t"), std::string("(a|\x1b).*"), std::string("a\0b", 3)})

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -302,7 +303,7 @@ TEST(Report, AFailureNamesLinkAndMeshOnce) {
   EXPECT_EQ(failures(report).back(), "'finger.stl' has no triangles");
 }
 
-TEST(Report, OneLineForTheSameFaultInAFolder) {
+TEST(Report, OneLineForTheSameFault) {
   Report report = sample();
   report.links.clear();
   ElementReport row;
@@ -321,8 +322,49 @@ TEST(Report, OneLineForTheSameFaultInAFolder) {
   add("tip", "meshes/e.stl", "is empty");
   add("tip", "other/f.stl", "is missing");
   EXPECT_EQ(failures(report),
-            (std::vector<std::string>{"link base: 'meshes/a.stl' is missing (the same for 3 more meshes of this folder, of 2 links in all)",
+            (std::vector<std::string>{"link base: 'meshes/a.stl' is missing (the same for 3 more meshes, of 2 links in all)",
                                       "link tip: 'meshes/e.stl' is empty", "link tip: 'other/f.stl' is missing"}));
+}
+
+/// The lines for failures of as many links.
+std::vector<std::string> failuresOf(int links, const std::function<void(int, ElementReport&)>& fault) {
+  Report report = sample();
+  report.links.clear();
+  for (int i = 0; i < links; ++i) {
+    ElementReport row;
+    row.status = Status::kFailed;
+    row.link = "l" + std::to_string(i);
+    fault(i, row);
+    report.links.push_back(row);
+  }
+  return failures(report);
+}
+
+TEST(Report, OneLineForAFormatInSeveralFolders) {
+  EXPECT_EQ(failuresOf(5,
+                       [](int i, ElementReport& row) {
+                         row.error = "UnsupportedFormat";
+                         row.uri = "package://arm/meshes/" + row.link + "/part" + std::to_string(i) + ".3dxml";
+                         row.reason =
+                             "/opt/arm/meshes/" + row.link + "/part" + std::to_string(i) + ".3dxml: extension '.3dxml' is not supported";
+                       }),
+            (std::vector<std::string>{"link l0: /opt/arm/meshes/l0/part0.3dxml: extension '.3dxml' is not supported (the same for 4 more "
+                                      "meshes, of 5 links in all)"}));
+}
+
+TEST(Report, OneLineForAnElementThatUrdfdomDoesNotKnow) {
+  const auto fault = [](int i, ElementReport& row) {
+    const std::string kind = i == 6 ? "cone" : "capsule";
+    row.error = "BadGeometry";
+    row.uri = "<" + kind + ">";
+    row.reason = "'arm.urdf', line " + std::to_string(95 + 3 * i) + ": urdfdom cannot read this <collision> of link '" + row.link +
+                 "' (Unknown geometry type '" + kind + "'; Could not parse collision element for Link [" + row.link + "]); correct it";
+  };
+  const std::vector<std::string> lines = failuresOf(7, fault);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].find("link l0: <capsule>: 'arm.urdf', line 95: "), 0u) << lines[0];
+  EXPECT_NE(lines[0].find("correct it (the same for 5 more meshes, of 6 links in all)"), std::string::npos) << lines[0];
+  EXPECT_EQ(lines[1].find("link l6: <cone>: 'arm.urdf', line 113: "), 0u) << lines[1];
 }
 
 TEST(Report, AllFailedUnlessAsManyLinksHavePrimitivesAlone) {

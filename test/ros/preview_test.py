@@ -95,6 +95,11 @@ class PreviewTest(unittest.TestCase):
         self.cut(action="remove", show=True)
         self.assertTrue(robots.wait_until(lambda: not self.hulls.seen("hulls", "base")))
 
+    def test_primitives_are_counted_by_themselves(self):
+        built = self.build(robot_description=self.robot, config="default: {tolerance: 5mm, shapes: box}")
+        self.assertTrue(built.success, built.message)
+        self.assertEqual([(0, 1), (0, 1)], [(link.hulls, link.primitives) for link in self.preview().links])
+
     def test_what_no_tree_has_is_unbuilt(self):
         for settings, reason in (({"tolerance": "1mm"}, "leaves of 5 mm, and 1 mm is asked for"), ({"method": "single_hull"}, "single_hull"), ({"effort": "best"}, "effort")):
             answer = self.cut(**settings)

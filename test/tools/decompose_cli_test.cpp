@@ -39,8 +39,8 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
                    {"--output 'made/" + name + "'", "a folder", "such as 'made/" + name.substr(0, name.find('.'))});
   expectWrongUse("arm/urdf/arm.urdf -t 5furlongs", {"tolerance", "'5furlongs'", "5mm"});
   expectWrongUse("arm/urdf/arm.urdf -t 0", {"tolerance", "'0'"});
-  expectWrongUse("arm/urdf/arm.urdf --close-openings 20", {"--close-openings '20m'", "did you mean 2cm?\n"});
-  expectWrongUse("arm/urdf/arm.urdf --padding 2", {"--padding '2m'", "did you mean 2mm?\n"});
+  expectWrongUse("arm/urdf/arm.urdf --close-openings 20", {"--close-openings '20' is", "did you mean 2cm?\n"});
+  expectWrongUse("arm/urdf/arm.urdf --padding 2", {"--padding '2' is", "did you mean 2mm?\n"});
   expectWrongUse("arm/urdf/arm.urdf -t 101%", {"tolerance", "'101%'", "100%"});
   expectWrongUse("arm/urdf/arm.urdf -m vhacd", {"--method", "'vhacd'", "hacd", "bounding_box"});
   expectWrongUse("arm/urdf/arm.urdf -t 1% --tree 2%", {"tree", "'2%'", "1%"});
@@ -63,7 +63,7 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf --uri http", {"--uri", "'http'", "relative"});
   expectWrongUse("arm/urdf/arm.urdf --profile havok", {"profile", "'havok'", "physx"});
   expectWrongUse("arm/urdf/arm.urdf --links '('", {"links", "'('"});
-  expectWrongUse("arm/urdf/arm.urdf -t 5", {"tolerance '5m'", "5mm"});
+  expectWrongUse("arm/urdf/arm.urdf -t 5", {"--tolerance '5' is", "5mm"});
   expectWrongUse("arm/urdf/arm.urdf -t 1cm,2cm", {"tolerance '1cm,2cm'", "1cm,5%"});
   for (const char* scale : {"0", "-1", "0.001mm", "1,1,1", "nan", "inf", "''"})
     expectWrongUse("arm/meshes/bracket.obj --scale " + std::string(scale), {"--scale", "0.001"});
@@ -75,6 +75,31 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   for (const std::string option : {"--uri package", "--source visual", "--rebase"})
     expectWrongUse("arm/meshes/bracket.obj " + option, {option.substr(0, option.find(' ')), "'arm/meshes/bracket.obj' is a mesh"});
   expectWrongUse("arm/urdf/arm.urdf --package-path nowhere", {"package path 'nowhere'", "NAME=DIR"});
+}
+
+TEST_F(DecomposeProgram, ALengthAboveTheLargestIsShownAsItWasGiven) {
+  const std::string without_unit =
+                        "is more than 1 m, the largest that makes sense for a mesh: a number without a unit is in metres; did you",
+                    with_unit = "is more than 1 m, the largest that makes sense for a mesh; did you mean 8mm?\n";
+  for (const std::string input : {"arm/urdf/arm.urdf ", "arm/meshes/bracket.obj "}) {
+    expectWrongUse(input + "-t 5,5%", {"tolerance '5,5%' is invalid"});
+    expectWrongUse(input + "-t 5", {"--tolerance '5' " + without_unit, "For a larger machine give a percentage"});
+    expectWrongUse(input + "-t 5000mm,5%", {"--tolerance '5000mm,5%' is more than 1 m", "did you mean 5mm?"});
+    expectWrongUse(input + "--tree 5.0", {"--tree '5.0' " + without_unit});
+    expectWrongUse(input + "--close-openings 8", {"--close-openings '8' " + without_unit});
+    expectWrongUse(input + "--close-openings 8m", {"--close-openings '8m' " + with_unit});
+    expectWrongUse(input + "--padding 5000", {"--padding '5000' is more than 1 m", "give a smaller length, as in 5mm.\n"});
+  }
+  expectWrongUse("arm/urdf/arm.urdf --model fine=8m", {"--model fine '8m' is more than 1 m"});
+}
+
+TEST_F(DecomposeProgram, OptionsThatDoNotSuitTheInputAreToldBeforeItIsRead) {
+  for (const std::string arguments : {"arm/urdf/arm.urdf --scale 0.1", "arm/meshes/bracket.obj --links base",
+                                      "arm/meshes/bracket.obj --model a=1mm", "arm/meshes/bracket.obj --shapes box"}) {
+    const Finished result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.err.find("reading"), std::string::npos) << arguments << "\n" << result.err;
+  }
 }
 
 TEST_F(DecomposeProgram, ArgumentsForXacroFollowTheInput) {

@@ -57,7 +57,7 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --samples 10000001", {"samples is 10000001", "10000000"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm,5%", {"--clearance '1cm,5%'"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 20", {"clearance '20m'", "2cm"});
-  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -t 5", {"tolerance '5m'", "5mm"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -t 5", {"--tolerance '5' is", "5mm"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --scale 0.1", {"scale '0.1'"});
   expectWrongUse("arm.urdf --scene nowhere.yaml --clearance 1cm", {"nowhere.yaml"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf none.srdf", {"none.srdf"});
@@ -78,11 +78,20 @@ TEST_F(FitSceneProgram, WrongUse) {
 }
 
 TEST_F(FitSceneProgram, WrongValuesAreToldBeforeAnythingIsRead) {
-  for (const char* option : {"--clearance 2%", "--clearance 1cm --samples 0", "--clearance 1cm --compare -"}) {
+  for (const char* option :
+       {"--clearance 2%", "--clearance 1cm --samples 0", "--clearance 1cm --compare -", "--clearance 1cm --compare nowhere/c.csv",
+        "--clearance 1cm --compare arm.urdf", "--clearance 1cm --srdf none.srdf", "--clearance 1cm --at elbow=1",
+        "--clearance 1cm --joints '['", "--clearance 1cm --scale 0.1", "--clearance 1cm --padding 1cm", "--clearance 20"}) {
     const Finished result = run(std::string("arm.urdf --scene notch.yaml ") + option);
     EXPECT_EQ(result.status, 2) << option;
     EXPECT_EQ(result.err.find("reading"), std::string::npos) << result.err;
   }
+}
+
+TEST_F(FitSceneProgram, AComparisonMakesNoFolder) {
+  for (const char* file : {"nowhere/c.csv", "c.csv/"})
+    expectWrongUse(std::string("arm.urdf --scene notch.yaml --clearance 1cm --compare ") + file,
+                   {"--compare: cannot write '" + std::string(file) + "': there is no folder '", "create it, or give another file"});
 }
 
 TEST_F(FitSceneProgram, AComparisonReplacesNothingButAComparison) {

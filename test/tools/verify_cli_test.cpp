@@ -42,10 +42,12 @@ TEST_F(VerifyProgram, WrongUse) {
   expectWrongUse("bracket.obj nowhere.obj", {"nowhere.obj", "does not exist"});
   expectWrongUse("bracket.obj hulls.obj --max-uncovered 5furlongs", {"--max-uncovered", "5furlongs", "2cm"});
   expectWrongUse("bracket.obj hulls.obj --max-protrusion 1%", {"--max-protrusion"});
-  expectWrongUse("bracket.obj hulls.obj --max-protrusion 5", {"--max-protrusion '5m'", "did you mean 5mm?"});
-  expectWrongUse("bracket.obj hulls.obj --close-openings 50", {"--close-openings '50m'"});
+  expectWrongUse("bracket.obj hulls.obj --max-protrusion 5", {"--max-protrusion '5' is", "did you mean 5mm?"});
+  expectWrongUse("bracket.obj hulls.obj --close-openings 50", {"--close-openings '50' is"});
   expectWrongUse("bracket.obj hulls.obj --source colision", {"--source", "colision", "visual"});
   expectWrongUse("bracket.obj hulls.obj --links '['", {"--links"});
+  expectWrongUse("bracket.obj hulls.obj --json nowhere/r.json",
+                 {"--json: cannot write 'nowhere/r.json': there is no folder 'nowhere'; create it, or give another file"});
   fixtures::write(folder_ / "r.urdf", fixtures::robot("r", fixtures::link("a", "")));
   expectWrongUse("bracket.obj r.urdf", {"bracket.obj", "is a mesh", "two robots or two meshes"});
   expectWrongUse("r.urdf r.urdf", {"nothing to compare"});
@@ -140,6 +142,23 @@ TEST_F(VerifyProgram, AMissingPackageIsSaidOnce) {
   EXPECT_EQ(result.err,
             "verify: a and 2 more links: ORIGINAL: package 'lost' was not found: install it and source its workspace, or say where it is "
             "with --package-path lost=DIR\n");
+}
+
+// A few are listed.
+TEST_F(VerifyProgram, MissingMeshesOfAFolderAreSaidOnce) {
+  const auto said = [&](int links) {
+    std::string text;
+    for (int i = 0; i < links; ++i)
+      text += fixtures::link("l" + std::to_string(i),
+                             "<collision>" + fixtures::meshTag("lost/" + std::to_string(i) + ".stl") + "</collision>", i == 0 ? "" : "l0");
+    fixtures::write(folder_ / "r.urdf", fixtures::robot("r", text));
+    return run("r.urdf r.urdf --quiet").err;
+  };
+  EXPECT_EQ(fixtures::count(said(3), "\n"), 3u);
+  const std::string many = said(9);
+  EXPECT_EQ(fixtures::count(many, "\n"), 1u) << many;
+  EXPECT_EQ(many.rfind("verify: l0: ORIGINAL: 'lost/0.stl' resolves to ", 0), 0u) << many;
+  EXPECT_NE(many.find(" (the same for 8 more meshes, of 9 links in all)\n"), std::string::npos) << many;
 }
 
 TEST_F(VerifyProgram, ProposesCommandsWithBothDescriptions) {

@@ -34,6 +34,20 @@ TEST(MeshFiles, EachElementIsALookAtTheControl) {
   EXPECT_GT(elements.size() / 2, of_one) << "the file has been read by then";
 }
 
+TEST(MeshFiles, AFaultNamesTheMeshToBlame) {
+  GeometryElement sphere, lost;
+  sphere.kind = GeometryElement::Kind::kSphere;
+  sphere.fault = "it has no radius";
+  lost.kind = GeometryElement::Kind::kMesh;
+  lost.uri = "/nowhere/lost.stl";
+  const Description description{parseRobotDescription(fixtures::robot("r", fixtures::link("a", ""))), PackageFinder()};
+  const RunControl control;
+  MeshFiles files(description, {}, true, control);
+  EXPECT_EQ(files.bodiesOf({lost}).fault_uri, lost.uri);
+  EXPECT_EQ(files.bodiesOf({sphere}).fault, sphere.fault);
+  EXPECT_EQ(files.bodiesOf({sphere}).fault_uri, "");
+}
+
 TEST(Without, OnlyAnEqualMeshAtTheSamePlaceIsLeftOut) {
   const TriangleMesh cube = box(1, 1, 1);
   TriangleMesh turned = cube, opened = cube, endless = cube, signed_zero = cube;

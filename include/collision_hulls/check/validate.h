@@ -38,7 +38,7 @@ struct ValidationPair {
 };
 
 struct ValidationOptions {
-  int queries_per_pair = 200;  ///< seeded probes around each element
+  int queries_per_pair = 200;  ///< seeded probes around each element; 0 or more
   std::uint64_t seed = 1;
 };
 
@@ -73,7 +73,9 @@ struct Validation {
 
 /// Distance queries with probes (spheres, boxes, and other elements' hulls) at seeded poses around
 /// each element, and point-in-solid samples. Pairs, and the queries of a pair, run in parallel.
-/// Deterministic except for times and timeouts. Throws kCancelled, kBadOption, kIndexOutOfRange.
+/// Deterministic except for times and timeouts. A pair with a fault, such as a number that is not
+/// finite, is not checked and counts as `nan`. Throws kBadOption for a negative number of queries,
+/// kIndexOutOfRange for a triangle that names a vertex that is not there, kCancelled.
 Validation validate(std::vector<ValidationPair> pairs, const ValidationOptions& options,
                     const RunControl& control = {});
 

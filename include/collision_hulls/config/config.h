@@ -39,13 +39,14 @@ struct Config {
   std::optional<bool> rebase, segments;
   std::optional<std::string> package_name;
   std::optional<std::uint64_t> seed;
-  /// The options that it sets, by their names on the command line: "tolerance", "max-hulls".
+  /// The options that it sets, named as in doc/options.md: "tolerance", "max-hulls".
   std::set<std::string> named;
 };
 
-/// Reads a text of at most 1 MiB. `file`: what messages call it. Throws kBadOption; the message has
-/// the file, the line, the item, its value and the remedy. Whether rules suit a robot is known only
-/// to LinkDecisions. Throws kCancelled.
+/// Reads a YAML text of at most 1 MiB. `file`: what messages call it. Throws kBadOption; the
+/// message has the file, the line, the item, its value and the remedy. Whether its rules suit a
+/// robot, LinkDecisions finds out. YAML is parsed in another process, as meshes are: also throws
+/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
 Config parseConfig(const std::string& text, const std::string& file,
                    const RunControl& control = {});
 
@@ -54,14 +55,15 @@ Config readConfig(const std::string& file, const RunControl& control = {});
 
 /// Sets what the configuration says. Its rules, regions and models take the place of those there.
 void apply(const Config& config, Options& options);
+/// The same for one link.
 void apply(const LinkSettings& settings, LinkOptions& options);
 
 /// The configuration that repeats a run with these options, with every default. Reading it back
 /// gives the same options, and the same text, for all options that a run accepts.
 std::string configText(const Options& options);
 
-/// A note for each of `given` (options by their names on the command line) that the configuration
-/// sets as well: the command line counts.
+/// For programs with options of their own, which count instead of those of the configuration: a
+/// note for each of `given`, named as in Config::named, that the configuration sets as well.
 std::vector<std::string> overridingNotes(const Config& config, const std::set<std::string>& given);
 
 }  // namespace collision_hulls

@@ -44,20 +44,20 @@ MeshFormat formatFor(const std::vector<Consumer>& consumers, MeshFormat usual);
 /// else, and otherwise `usual`.
 Shapes shapesFor(const std::vector<Consumer>& consumers, Shapes usual);
 
-/// Throws kBadOption if the options' files cannot be what a consumer takes: the message says what
-/// to choose instead.
+/// Throws kBadOption for a format, shapes, URIs or a model's name that a consumer cannot take; the
+/// message says what to choose instead.
 void check(const std::vector<Consumer>& consumers, const Options& options);
 
-/// Throws kBadOption if the description holds what would make addConsumerFiles() throw it, whatever
-/// becomes of the meshes, and kCancelled.
+/// Throws kBadOption for a description for which addConsumerFiles() would throw it whatever becomes
+/// of the meshes, so that it can be refused before the long work. Throws kCancelled.
 void check(const std::vector<Consumer>& consumers, const Options& options,
            const RobotDescription& robot, const RunControl& control = {});
 
 /// Adds each consumer's files to the result's `extra_files`. `output`: the folder that will be
-/// written, whose name is the package's. They describe the first model. Works on as many threads as
-/// the result's options allow. `step` is called before the pairs of links that never meet are
-/// proved, which takes seconds for a robot of many links. Throws as check(), kBadOption for a
-/// single mesh, kCancelled, and the errors of parseRobotDescription() and Kinematics.
+/// written, whose name is the package's. They describe the first model. `step` is called before the
+/// pairs of links that never meet are proved, which takes seconds for a robot of many links. Throws
+/// as check(), kBadOption for a single mesh, kCancelled, and the errors of parseRobotDescription()
+/// and Kinematics.
 void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output,
                       RobotResult& result, const RunControl& control = {},
                       const StepCallback& step = {});

@@ -1,4 +1,5 @@
 // The promise in one call: hulls that cover a mesh, and a proved bound on how far they protrude.
+//
 // For example:
 //
 //     DecomposeOptions options;
@@ -34,7 +35,8 @@
 
 namespace collision_hulls {
 
-/// How far hulls protrude in a region: the true distance lies between `found` and `bound` [m].
+/// How far hulls protrude in a region: the true distance lies between `found` and `bound` [m]. Both
+/// are 0 if no hull enters it.
 struct RegionProof {
   double bound = 0, found = 0;
 };
@@ -73,11 +75,12 @@ struct CertifiedHulls {
 /// Repairs the mesh, decomposes it, and proves the result. Deterministic: the same mesh and options
 /// give the same bytes, on any number of threads. With a deadline in the control the method
 /// certified gives the best that it has by then; the search gets most of that time and the proof
-/// the rest, but cover, rounding and a first bound take what they take. Thread safe. Works on all
-/// threads of the caller's TBB arena: tbb::task_arena(n).execute() limits them. Throws what
-/// repair() throws, kEmptyMesh for a mesh without triangles, kBadOption (a tolerance of a millionth
-/// of the mesh's diagonal or more must be given, also for methods that ignore it, and for regions
-/// if it is below kRegionSlack), kCancelled, and kInternal if the result should fail its own check.
+/// the rest, but cover, rounding and a first bound take what they take.
+///
+/// Throws what repair() throws; kEmptyMesh for a mesh without triangles; kBadOption as check() of
+/// the options, for a tolerance that is not a positive length or below a millionth of the mesh's
+/// diagonal (also with a method that ignores it), and for one of a region that is below both that
+/// and kRegionSlack; kCancelled; kInternal if the result should fail its own check.
 CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options,
                               const RunControl& control = {});
 

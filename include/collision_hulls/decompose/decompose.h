@@ -54,8 +54,9 @@ struct DecomposeOptions {
   double padding = 0;
 };
 
-/// Throws kBadOption, also for a method that has no such effort, and as check() of its regions. How
-/// fine a tolerance may be depends on the mesh; decompose() checks that.
+/// Throws kBadOption for a value outside its range, for an effort or a filling that the method does
+/// not have, and as check() of its regions. How fine a tolerance may be depends on the mesh;
+/// decompose() checks that.
 void check(const DecomposeOptions& options);
 
 struct Decomposition {
@@ -71,7 +72,7 @@ struct Decomposition {
 };
 
 /// Decomposes a mesh. Deterministic: the same input and options give the same bytes, whatever else
-/// is running. Thread safe. Throws kBadOption, also for a tolerance below a millionth of the mesh's
+/// is running. Throws kBadOption as check(), and for a tolerance below a millionth of the mesh's
 /// diagonal (unless the method ignores it), kEmptyMesh, kCancelled.
 Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options,
                         const RunControl& control = {});

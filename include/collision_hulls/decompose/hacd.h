@@ -31,9 +31,10 @@ double shapeWeight(double epsilon, double diagonal);
 
 /// Equation (5): the partition {p_k, A(p_k)} of the mesh's triangles that remains once no edge of
 /// the dual graph gives a cluster of concavity up to `epsilon` [m]. Triangles ascend within a
-/// cluster; clusters are ordered by first triangle. Deterministic; ties are broken by index. Throws
-/// kBadOption for an epsilon that is not a positive length, or below a millionth of the mesh's
-/// diagonal; kIndexOutOfRange, kNonFiniteCoordinate, kCancelled.
+/// cluster; clusters are ordered by first triangle. A mesh without triangles has none.
+/// Deterministic; ties are broken by index. Throws kBadOption for an epsilon that is not a positive
+/// length, or below a millionth of the mesh's diagonal; kIndexOutOfRange, kNonFiniteCoordinate,
+/// kCancelled.
 std::vector<std::vector<int>> hacdPartition(const TriangleMesh& mesh, double epsilon,
                                             const RunControl& control = {});
 

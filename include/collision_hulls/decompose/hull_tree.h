@@ -27,7 +27,7 @@ struct HullNode {
 
 /// A binary tree. Children precede their parents; the last node is the root, which contains
 /// everything. A cut is a set of nodes with exactly one node on each path from the root to a leaf;
-/// its hulls cover the mesh. Immutable values may be shared between threads.
+/// its hulls cover the mesh. A tree without nodes has one cut, the empty one.
 struct HullTree {
   std::vector<HullNode> nodes;
   double tolerance = 0;  ///< [m] the tolerance of the leaves
@@ -37,7 +37,7 @@ struct HullTree {
   std::vector<int> cutAt(double tolerance) const;
 
   /// A cut of at most `hulls` (>= 1) nodes: starts at the root and keeps replacing the furthest
-  /// protruding node by its children.
+  /// protruding node by its children. Nodes in ascending order.
   std::vector<int> cutTo(int hulls) const;
 
   /// Whether these nodes form a cut.

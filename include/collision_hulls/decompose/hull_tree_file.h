@@ -17,13 +17,14 @@ namespace collision_hulls {
 /// tree that loading would refuse.
 void saveHullTree(const HullTree& tree, const std::string& file);
 
-/// Reads a tree from a file, identical to the last bit. Throws kFileNotFound, and kNotAHullTree
-/// (naming the file and the fault) unless everything holds: magic, version, size, checksum; finite
-/// numbers, indices in range; children before their parents, root last, bounds that never decrease
-/// toward it.
+/// Reads a tree from a file, identical to the last bit. Throws kFileNotFound, kTooLarge above 1
+/// GiB, and kNotAHullTree (naming the file and the fault) unless everything holds: magic, version,
+/// size, checksum; finite numbers, indices in range; children before their parents, root last,
+/// bounds that never decrease toward it.
 HullTree loadHullTree(const std::string& file);
 
-/// The bytes of such a file, and back; `name` names the file in messages.
+/// The bytes of such a file, and back; `name` stands for the file in messages. Throw kInternal and
+/// kNotAHullTree as above.
 std::string encodeHullTree(const HullTree& tree);
 HullTree decodeHullTree(const std::string& bytes, const std::string& name);
 

@@ -15,15 +15,13 @@ constexpr int kLeastVertices = 8;
 /// outward; the containment is checked (all vertices of `hull` lie within all faces of the result).
 /// A sphere reduced to 64 vertices gains 7 % of its radius. If rounding spoils this, as for minute
 /// hulls, the result is the smallest oriented box found. A hull within the limit is returned
-/// unchanged. Deterministic. Thread safe. Throws kBadOption if max_vertices is too small, and
-/// kCancelled.
+/// unchanged. Deterministic. Throws kBadOption if max_vertices is too small, and kCancelled.
 ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices, const RunControl& control = {});
 
 /// Whether a hull has more vertices than a limit allows; 0 is no limit.
 bool exceedsCap(const ConvexHull& hull, int max_vertices);
 
-/// reduceVertices() where the limit is exceeded, otherwise the hull; 0 is no limit. Throws
-/// kCancelled.
+/// reduceVertices() where the limit is exceeded, otherwise the hull; 0 is no limit. Throws as that.
 ConvexHull capped(const ConvexHull& hull, int max_vertices, const RunControl& control = {});
 
 /// The largest distance [m] from `hull` of a point of `outer`, which contains it. Throws

@@ -21,7 +21,8 @@ struct RoundedHulls {
 /// the weld tolerance plus the reader's rounding) and by what single precision needs, and rounds
 /// its vertices. Any triangle of `original` that the union still does not cover is added to the
 /// hull that has to grow least. Afterwards uncovered(original, hulls) == 0. Each hull has at most
-/// `max_vertices` vertices (0: no limit). Throws kCancelled.
+/// `max_vertices` vertices (0: no limit). Throws kBadOption as reduceVertices(), kInternal if a
+/// hull cannot be rounded or the triangles cannot be covered (as without any hull), kCancelled.
 RoundedHulls roundOutward(const std::vector<ConvexHull>& hulls, const TriangleMesh& original,
                           double margin, int max_vertices, const RunControl& control = {});
 

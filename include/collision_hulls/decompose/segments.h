@@ -1,5 +1,5 @@
-// The segmentation of a mesh, the first result of Mamou & Ghorbel 2009: what `--segments` writes,
-// and the node draws.
+// The segmentation of a mesh, the first result of Mamou & Ghorbel 2009, and its files: what
+// Options::segments asks for.
 #pragma once
 
 #include <string>
@@ -20,14 +20,14 @@ struct Segments {
 /// unless a limit joined hulls. `epsilon` [m]: see hacdPartition(). Throws as that and as repair().
 Segments segmentsOf(const TriangleMesh& original, double epsilon, const RunControl& control = {});
 
-/// The colour of cluster k. Colours of consecutive clusters differ most.
+/// The colour of cluster k. Those of consecutive clusters differ clearly.
 Rgb clusterColour(std::size_t k);
 
 /// The mesh as binary PLY, in its clusters' colours; see encodePly().
 std::string segmentsPly(const Segments& segments);
 
 /// The hierarchy as CSV: `concavity,clusters`, a row for each concavity [m] at which clusters
-/// merge, from the last 1,000 clusters on: K(e) is in the last row whose concavity is at most e.
+/// merge, once there are at most 1,000: K(e) is in the last row whose concavity is at most e.
 std::string hierarchyCsv(const Segments& segments);
 
 }  // namespace collision_hulls

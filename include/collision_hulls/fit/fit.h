@@ -69,9 +69,10 @@ struct FitProblem {
   std::vector<DisabledPair> disabled;  ///< pairs of links that are not checked
   /// to fit to, of finite values; empty: samples from the joints' whole ranges
   std::vector<Configuration> configurations;
-  /// Where joints are held, by limits without room that they do not have where the model will be
-  /// used: all joints at rest there. Links that touch in it are left out; that others always or
-  /// never meet is not said in `disabled`. Empty: no joint is held.
+  /// If joints are held, by limits without room that they will not have where the model is used:
+  /// the robot's rest configuration with its own limits. Pairs of links that touch in it are left
+  /// out, and SceneFit::disabled names no pair that always or never meets, which may be so only
+  /// while joints are held. Empty: no joint is held.
   Configuration rest_unheld = {};
 };
 
@@ -83,7 +84,7 @@ struct FitOptions {
   bool primitives = true;  ///< allow spheres, boxes and cylinders in place of hulls
 };
 
-/// Throws kBadOption.
+/// Throws kBadOption for a value outside its range.
 void check(const FitOptions& options);
 
 /// The fitted model of an element.
@@ -199,7 +200,9 @@ struct SceneFit {
 };
 
 /// Leaves FitReport::held empty. Deterministic except for the times, whatever the number of
-/// threads. Throws kBadOption, kCancelled.
+/// threads. Throws kBadOption as check(), for a problem without elements, and for configurations as
+/// Kinematics::check(); kNotARobot as Kinematics; kTooLarge for more than two million pairs of
+/// links and bodies; kCancelled.
 SceneFit fitScene(const FitProblem& problem, const FitOptions& options,
                   const RunControl& control = {});
 

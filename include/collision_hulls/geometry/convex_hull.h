@@ -43,11 +43,11 @@ struct ConvexHull {
 /// becomes a small body of six vertices, a line a thin rod, a plane a thin plate. The thickness is
 /// the least that keeps the faces distinguishable in double precision: 1e-6 of the set's extent or
 /// 1e-12 of the coordinates' size if that is larger, and for a point 1e-9 m at least. It is
-/// reported as `thickness`. Deterministic. Thread safe. Throws kEmptyMesh if there are no
-/// points, kNonFiniteCoordinate for a NaN or an infinity, kCancelled.
+/// reported as `thickness`. Deterministic. Throws kEmptyMesh if there are no points,
+/// kNonFiniteCoordinate for a NaN or an infinity, kCancelled.
 ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points, const RunControl& control = {});
 
-/// The volume [m^3] and the bounding box of a hull.
+/// The volume [m^3] and the bounding box of a hull; 0 and empty for one without vertices.
 double volume(const ConvexHull& hull);
 Eigen::AlignedBox3d boundingBox(const ConvexHull& hull);
 

@@ -22,7 +22,9 @@ namespace collision_hulls {
 Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                              const Eigen::Vector3d& c, const Eigen::Vector3d& p);
 
-/// A bounding-volume tree over a mesh's triangles. Keeps copies of them. Immutable and thread safe.
+/// A bounding-volume tree over the triangles of a mesh, which check() has to let pass. Keeps copies
+/// of them. Immutable. Without triangles, everything is infinitely far from it and nothing is
+/// inside.
 class TriangleBvh {
  public:
   /// What a tree keeps of its triangles, beside the triangles and their boxes.
@@ -38,6 +40,7 @@ class TriangleBvh {
   explicit TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided = {},
                        const RunControl& control = {}, Keeps keeps = Keeps::kFarView);
 
+  /// As it was given to the constructor.
   const std::vector<char>& twoSided() const { return two_sided_; }
 
   struct Nearest {
@@ -46,14 +49,14 @@ class TriangleBvh {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     int triangle = -1;  ///< index in the mesh
   };
-  /// The nearest point of the surface that is closer than `limit` [m]. Exact. `hint` (a triangle's
-  /// index, or -1) is tried first: passing on a neighbouring query's answer is faster and gives the
-  /// same distance, but of several triangles at that distance perhaps another.
+  /// The nearest point of the surface, if it is closer than `limit` [m]. Exact. `hint` (a
+  /// triangle's index, or -1) is tried first: passing on a neighbouring query's answer is faster
+  /// and gives the same distance, but of several triangles at that distance perhaps another.
   Nearest nearest(const Eigen::Vector3d& p, double limit = std::numeric_limits<double>::infinity(),
                   int hint = -1) const;
 
   /// The generalized winding number (Jacobson et al. 2013), with distant clusters replaced by
-  /// dipoles (Barill et al. 2018): 1 inside a closed outward surface, 0 outside. Errs by at most
+  /// dipoles (Barill et al. 2018): 1 inside a closed outward surface, 0 outside. It errs by at most
   /// kWindingError, apart from rounding: a cluster is replaced only where that provably errs by no
   /// more than its share.
   double windingNumber(const Eigen::Vector3d& p) const;
@@ -71,8 +74,8 @@ class TriangleBvh {
   int signedCrossings(const Eigen::Vector3d& p) const;
   /// A point near p whose ray hardly ever meets an edge, where crossings would be ambiguous.
   Eigen::Vector3d aside(const Eigen::Vector3d& p) const;
-  /// [m] How much finer than this nothing is told apart near the surface, 1e-9 of the tree's
-  /// extent: an upper bound on the distance of aside(p) from p, and on the rounding of nearest().
+  /// [m] The resolution near the surface, 1e-9 of the tree's extent: an upper bound on the distance
+  /// of aside(p) from p, and on the rounding of nearest().
   double blur() const;
   double extent() const;  ///< [m] longest side of the box around the triangles
 
@@ -95,7 +98,8 @@ class TriangleBvh {
     return corners_[static_cast<std::size_t>(position_[static_cast<std::size_t>(triangle)])];
   }
 
-  /// All triangles, near ones mostly close to one another.
+  /// The indices of all triangles, in an order in which neighbours in space mostly follow each
+  /// other.
   const std::vector<int>& byPlace() const { return index_; }
 
   bool empty() const { return corners_.empty(); }

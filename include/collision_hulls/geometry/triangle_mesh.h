@@ -31,7 +31,7 @@ struct TriangleMesh {
 /// kNonFiniteCoordinate for one whose corner is NaN or infinite, kCancelled.
 void check(const TriangleMesh& mesh, const RunControl& control = {});
 
-/// The axis-aligned box of the vertices used by triangles; empty for a mesh without triangles.
+/// The axis-aligned box [m] of the vertices used by triangles; empty for a mesh without triangles.
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
 /// The diagonal of boundingBox() [m], D in the paper; 0 for a mesh without triangles.
@@ -40,8 +40,9 @@ double diagonal(const TriangleMesh& mesh);
 /// The sum of the triangles' areas [m^2].
 double area(const TriangleMesh& mesh);
 
-/// The sum of the signed tetrahedra to the origin [m^3]: the enclosed volume of a closed, outward
-/// mesh; negative for an inward one.
+/// The volume [m^3] that a closed, outward mesh encloses; negative for an inward one. Of any other
+/// mesh, the sum of the signed tetrahedra from its triangles to the first triangle's first corner.
+/// 0 without triangles.
 double signedVolume(const TriangleMesh& mesh);
 double signedVolume(const std::vector<Eigen::Vector3d>& vertices,
                     const std::vector<Triangle>& triangles);

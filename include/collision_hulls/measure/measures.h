@@ -17,11 +17,11 @@
 namespace collision_hulls {
 
 /// The largest distance [m] of a point of the mesh's surface from the union of the hulls; 0 if and
-/// only if they cover it. A triangle whose corners lie in one hull is covered; any other is clipped
-/// by the hulls until nothing is left. The result is never too small, and too large by at most 1 %
-/// unless the gaps take more than 400,000 pieces. Distances below 1e-12 of the
-/// coordinates' size are rounding errors of this computation and count as 0. Throws what check() of
-/// a mesh throws: kIndexOutOfRange, kNonFiniteCoordinate, kCancelled.
+/// only if they cover it, infinite without hulls. A triangle whose corners lie in one hull is
+/// covered; any other is clipped by the hulls until nothing is left. The result is never too small,
+/// and too large by at most 1 % unless the gaps take more than 400,000 pieces. Distances below
+/// 1e-12 of the coordinates' size are rounding errors of this computation and count as 0. Throws
+/// what check() of a mesh throws: kIndexOutOfRange, kNonFiniteCoordinate, kCancelled.
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
                  const RunControl& control = {});
 
@@ -46,14 +46,14 @@ struct Protrusion {
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap,
                       const RunControl& control = {});
 
-/// The volume of the union of the hulls [m^3]: exact for one hull and for disjoint hulls. What
-/// hulls share is estimated from a fixed sequence of samples in each of them, 20,000 in all (with
-/// an error of about 1 % of it). Throws kCancelled.
+/// The volume of the union of the hulls [m^3]: exact for one hull and for disjoint hulls, 0 for
+/// none. What hulls share is estimated (to about 1 % of it) from a fixed sequence of samples:
+/// 20,000 shared out by volume, but at least 50 in each hull. Throws kCancelled.
 double unionVolume(const std::vector<ConvexHull>& hulls, const RunControl& control = {});
 
-/// The share of the inside of S that lies in the hulls, assuming they cover its surface; by the
-/// same sequence of samples. 1 for a solid without an inside. What is missing lies deep inside,
-/// where hulls of pieces of the surface do not reach. Throws kCancelled.
+/// The share of the inside of S that lies in the hulls, assuming they cover its surface; by 20,000
+/// samples of the same sequence in their bounding box. 1 for a solid without an inside. What is
+/// missing lies deep inside, where hulls of pieces of the surface do not reach. Throws kCancelled.
 double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid,
                     const RunControl& control = {});
 

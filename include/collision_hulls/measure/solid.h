@@ -18,8 +18,9 @@ class Winding;
 /// whose generalized winding number exceeds 1/2. Components face outward, so a closed cavity in a
 /// housing counts as inside. Cracks no wider than the default weld tolerance (1e-5 of the extent)
 /// count as closed. If there are openings, a computed winding number may err (by 0.01 at most,
-/// proved; see TriangleBvh), so only points with 0.55 or more are treated as inside. Immutable,
-/// thread safe.
+/// proved; see TriangleBvh), so only points with 0.55 or more are treated as inside. Immutable. A
+/// mesh without triangles and loose segments has an empty S, from which everything is infinitely
+/// far.
 ///
 /// What distances and bounds assume of the mesh: finite coordinates, nothing else. It may be open,
 /// cross itself, or be inside out in places. Rounding is allowed for, too; what is left of it is
@@ -40,8 +41,8 @@ class Solid {
   double distance(const Eigen::Vector3d& p) const;
   /// whether distance(p) is smaller, or p is inside
   bool isWithin(double distance, const Eigen::Vector3d& p) const;
-  /// [m] A lower bound on the distance of p to S, where all others err upward: for proofs that a
-  /// hull that holds p protrudes. Allows for cracks, openings, and the blur of the surface.
+  /// [m] A lower bound on the distance of p to S, for proofs that a hull that holds p protrudes;
+  /// the other functions err upward. Allows for cracks, openings, and the blur of the surface.
   /// `to_surface`: distanceToSurface(p).
   double leastDistance(const Eigen::Vector3d& p, double to_surface) const;
   /// Whether p is proved to be further than `distance` [m, >= 0] from S: wherever
@@ -62,9 +63,9 @@ class Solid {
   /// in measure/walls.h, which is not installed.
   Winding windingAt(const Eigen::Vector3d& p) const;
   double signedDistance(Winding& at, double to_surface) const;
-  /// Whether all points of a patch are on one side; no may mean yes, as for a ball. `near`: of a
-  /// point in its plane, best its centre. `met`, if given, receives the corners of a triangle of
-  /// the surface that it meets; null if there is none.
+  /// isOneSide() for the points of a patch. `near`: of a point in its plane, best its centre.
+  /// `met`, if given, receives the corners of a triangle of the surface that it meets; null if
+  /// there is none.
   bool isOneSide(const std::array<Eigen::Vector3d, 3>& patch, Winding& near,
                  const std::array<Eigen::Vector3d, 3>** met = nullptr) const;
 
@@ -104,9 +105,10 @@ class Solid {
   const std::vector<Eigen::Vector3d>& componentPoints() const;
 
   /// Whether some point within `radius` [m] of p may be a local maximum (summit) of the distance to
-  /// S, S itself apart. No only if that is proved: whatever could be nearest to such a point is
-  /// surface that faces one way, with nothing inside out in front of it, so the distance grows in a
-  /// common direction. Always yes if there are openings. `to_surface`: distanceToSurface(p).
+  /// S, S itself apart. False only if it is proved that none is: whatever could be nearest to such
+  /// a point is surface that faces one way, with nothing inside out in front of it, so the distance
+  /// grows in a common direction. Always true if there are openings. `to_surface`:
+  /// distanceToSurface(p).
   bool mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const;
   /// The triangles of the mesh, followed by one for each loose segment. Two-sided are those whose
   /// back may be nearest to a point outside S: sheets, rims, and wherever the surface may be inside

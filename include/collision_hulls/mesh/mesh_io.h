@@ -67,7 +67,7 @@ bool isMeshFile(const std::string& path);
 /// kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange,
 /// kTooFarFromOrigin (single precision cannot resolve a thousandth of the mesh's diagonal),
 /// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled, and kBadOption for limits without a
-/// positive, finite time. Thread safe.
+/// positive, finite time.
 ///
 /// Except for binary STL, bytes are decoded in another process, `collision_hulls_reader`, which is
 /// started as needed and can do nothing else. A file that crashes it is kReaderFailed, and one that
@@ -94,11 +94,11 @@ std::optional<MeshFormat> meshFormatNamed(const std::string& name);  ///< "stl",
 /// The contents of a mesh file with one hull: binary STL, OBJ, or Collada. Coordinates are written
 /// as single-precision numbers, exactly: a hull with single-precision vertices is read back
 /// unchanged (but Assimp reads Collada's numbers below 1e-6 m with an error of a few units in the
-/// last place). The same hull gives the same bytes. In names, blanks and characters that XML
-/// reserves become '_'.
+/// last place). The same hull gives the same bytes. STL has no name. In names, blanks and
+/// characters that XML reserves become '_'.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 
-/// One OBJ file with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.
+/// One OBJ file with an object (`o <name>_<m>`, m from 0) per hull; coordinates as in encodeHull().
 std::string encodeHullsObj(const std::vector<ConvexHull>& hulls, const std::string& name);
 
 using Rgb = std::array<std::uint8_t, 3>;  ///< red, green and blue

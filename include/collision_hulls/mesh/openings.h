@@ -26,17 +26,17 @@ struct Opening {
   double width = 0;
 };
 
-/// The openings of a mesh. Fins have none, and neither have components that lie in a plane. Both
-/// ends of a pipe without thickness are openings; those of a pipe whose wall has an inner and an
-/// outer surface are not: such a mesh is closed. Near-linear. Deterministic. Thread safe. Throws
-/// kCancelled.
+/// The openings of a mesh. Fins have none, and neither have components that would enclose nothing
+/// even with lids, such as a flat sheet. Both ends of a pipe without thickness are openings; those
+/// of a pipe whose wall has an inner and an outer surface are not: such a mesh is closed.
+/// Near-linear. Deterministic. Throws kCancelled.
 std::vector<Opening> openingsOf(const RepairedMesh& mesh, const RunControl& control = {});
 
 /// Adds a lid: a fan of triangles from the rim to the centre, with vertices of its own.
 void addLid(const Opening& opening, TriangleMesh& mesh);
 
-/// The mesh, with lids over all openings that are no wider than `width` [m]. Throws kBadOption for
-/// a width that is negative or not finite, and what repair() throws.
+/// The mesh, with lids over all openings that are no wider than `width` [m]; as it is for a width
+/// of 0. Throws kBadOption for a width that is negative or not finite, and what repair() throws.
 TriangleMesh closeOpenings(const TriangleMesh& mesh, double width, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -40,8 +40,8 @@ struct RepairCounts {
 /// How to tell the inside of a component.
 enum class Interior {
   kClosed,  ///< no open edge except on fins: the inside is what the surface encloses
-  /// small openings: the inside is where the generalized winding number clearly exceeds 1/2 (see
-  /// measure/solid.h)
+  /// small openings, or slits: the inside is where the generalized winding number clearly exceeds
+  /// 1/2 (see measure/solid.h)
   kWinding,
   kSurface  ///< a sheet: it has no inside, and the solid is the surface alone
 };
@@ -70,7 +70,8 @@ struct RepairedMesh {
 /// are welded as well if that leaves at most half of the open edges: open edges that run along each
 /// other in opposite directions, both ends within ten times the tolerance; then vertices may move
 /// by up to twenty times the tolerance. A triangle is degenerate if two of its corners were welded
-/// together or if its height over its longest edge is zero in double precision.
+/// together or if its height over its longest edge is below 1e-14 of the extent, as in double
+/// precision three points on a line may have.
 ///
 /// Orientation is made consistent across manifold edges. A component may consist of several patches
 /// that meet only at non-manifold edges. (1) Each patch is made consistent by flipping the part of
@@ -97,12 +98,13 @@ struct RepairedMesh {
 /// than a tenth of what its triangles do as they are, stays as it was.
 ///
 /// An open component without its fins is kWinding if the fans that close its boundary loops (each
-/// about the loop's centre) are below a tenth of its area, else kSurface. A mesh with only
-/// degenerate triangles gives an empty mesh and `loose` segments.
+/// about the loop's centre) are below a tenth of its area, or would be if rims that run along each
+/// other were joined (slits); else kSurface. A mesh with only degenerate triangles gives an empty
+/// mesh and `loose` segments, one without triangles an empty mesh alone.
 ///
 /// Time is near-linear; memory is about 90 bytes per triangle on top of the input. Deterministic.
-/// Thread safe. Throws kIndexOutOfRange, kNonFiniteCoordinate, kCancelled, and kBadOption for a
-/// weld tolerance outside [0, 0.1].
+/// Throws kIndexOutOfRange, kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance
+/// outside [0, 0.1].
 RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {},
                     const RunControl& control = {});
 

@@ -29,7 +29,7 @@ struct SceneRequest {
   std::vector<std::string> files;             ///< that it was read from: no output may replace them
 };
 
-/// Where a request is read from; empty: not given.
+/// Where a request is read from; what is empty is not given.
 struct SceneSources {
   std::string scene;           ///< file
   std::string srdf;            ///< text
@@ -53,8 +53,8 @@ SceneRequest readSceneRequest(const Input& input, const SceneSources& sources,
 /// nothing is proved there.
 ConfigurationOptions givenConfigurations(double max_step);
 
-/// From texts such as "elbow=1.5" [rad or m], for SceneRequest::at. `option`: what they are called.
-/// Throws kBadOption for another form, and a joint that has two positions.
+/// From texts such as "elbow=1.5" [rad or m], for SceneRequest::at. `option`: what messages call
+/// them. Throws kBadOption for another form, and a joint that has two positions.
 std::map<std::string, double> jointPositions(const std::vector<std::string>& texts,
                                              const std::string& option);
 
@@ -67,8 +67,10 @@ void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 /// are absent from the fit. `method` must be certified. extra_files holds
 /// `config/<robot>_disabled.srdf`; where joints are held, that says nothing of pairs that always or
 /// never meet. Throws kBadOption, also for configurations of another size or with values that are
-/// not finite, for joints that the robot does not have or that leave nothing to move, and for
-/// configurations where joints are held; kUnwritableOutput as decomposeRobot(); kCancelled.
+/// not finite, for joints that the robot does not have or that leave nothing to move, for
+/// configurations where joints are held, and where no mesh is left to fit; kNotARobot as
+/// Kinematics; kUnwritableOutput, kTooLarge, kInternal and kCancelled as decomposeRobot();
+/// kTooLarge as fitScene().
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package,
                             const SceneRequest& request, const Options& options,
                             const std::string& output, const RunControl& control = {},

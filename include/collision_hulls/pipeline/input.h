@@ -1,4 +1,4 @@
-// What the command line's INPUT refers to: a package, a robot description or a mesh.
+// Finds what to decompose by the name that a user gives: a package, a robot description or a mesh.
 #pragma once
 
 #include <string>
@@ -16,28 +16,30 @@ struct Input {
   PackageFinder find_package;
 };
 
-/// What goes with an INPUT.
+/// How to open an input.
 struct InputOptions {
   std::vector<std::string> package_path = {};     ///< see defaultPackageFinder()
   std::vector<std::string> xacro_arguments = {};  ///< see readRobotDescription()
-  /// whether they are left out where INPUT is not a .xacro file; else they are refused there
+  /// whether they are left out where the input is not a .xacro file; else they are refused there
   bool may_ignore_arguments = false;
-  /// a command is this, the INPUT, and the words after it, as messages propose it
+  /// for messages that propose a command: it is this, the input, and the words after it
   std::string program = "decompose";
   std::string words = "";
 };
 
-/// INPUT: a package name, a .urdf or .xacro file, or a mesh file. A package without descriptions in
-/// its folders urdf and robots has those of its other folders. Throws the readers' errors; for
-/// several descriptions the message lists a command for each.
+/// `input`: the name or folder of a package, a .urdf or .xacro file, or a mesh file, which is not
+/// read yet; a file also by its package:// URI. A package without descriptions in its folders urdf
+/// and robots has those of its other folders. Throws kFileNotFound, kPackageNotFound,
+/// kUnsupportedFormat; kNotARobot for a package with several descriptions, and the message lists a
+/// command for each; and as readRobotDescription() and defaultPackageFinder().
 Input openInput(const std::string& input, const InputOptions& options = {},
                 const RunControl& control = {});
 
-/// "42 meshes of 17 links": what decompose() will read; empty: no mesh. Throws kBadOption as
-/// LinkDecisions, and kCancelled.
+/// "42 meshes of 17 links": what decompose() will read; empty: no mesh. Of a mesh file, its path in
+/// quotes. Throws kBadOption as LinkDecisions, and kCancelled.
 std::string workOn(const Input& input, const Options& options, const RunControl& control = {});
 
-/// Default output folder: `./<robot>_collision`
+/// The default output folder, `./<robot>_collision`; for a mesh, with the stem of its file's name.
 std::string defaultOutput(const Input& input);
 
 }  // namespace collision_hulls

@@ -28,8 +28,8 @@ void checkOutput(const std::string& output, const RunControl& control = {});
 std::string howToUse(const RobotResult& result, const std::string& output,
                      const std::vector<std::string>& package_path = {});
 
-/// Writes the report alone, as JSON, in one rename; into a pipe at the pace of its reader, until
-/// the control is cancelled. Throws kUnwritableOutput.
+/// Writes the report alone, as JSON, in one rename; into a pipe at the pace of its reader. Throws
+/// kUnwritableOutput, kCancelled.
 void writeReport(const Report& report, const std::string& file, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -12,13 +12,14 @@ namespace collision_hulls {
 /// about 2 s left".
 std::string stepText(const Step& step);
 
-/// The same after the share done: "43 %, 7 of 42 meshes, ...".
+/// The same after the share done: "43 %, 7 of 42 meshes, ...". The stages "read" and "pairs" have
+/// none.
 std::string progressLine(const Step& step);
 
-/// 43 for 0.439; 100 is the end alone.
+/// The share done, rounded down: 43 for 0.439, and 100 at the end alone.
 int percent(const Step& step);
 
-/// Lets the first through, then one in each `period`: for lines that a log keeps.
+/// For lines that a log keeps: true for the first call, then once in each `period` [s].
 class Throttle {
  public:
   explicit Throttle(double period = 5) : period_(period) {}

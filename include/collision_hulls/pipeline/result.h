@@ -71,13 +71,14 @@ struct RobotResult : ModelResult {
 
 /// What a run is doing, for bars and feedback.
 struct Step {
-  /// "read", "decompose", "validate"; for a scene, "fit" and "certify" come before "validate".
-  /// After it addConsumerFiles() has "pairs"
+  /// "read", "decompose", "validate"; for a scene, "fit" and "certify" come before "validate". Of
+  /// addConsumerFiles(): "pairs"
   std::string stage;
   std::string item;  ///< link of the mesh finished last; empty where the stage has none
   std::size_t done = 0, total = 0, hulls = 0;  ///< meshes finished, all meshes, hulls so far
   double fraction = 0;  ///< share of the whole run done, in [0, 1], never decreasing; 1 at the end
-  double seconds_left = -1;  ///< a rough estimate; negative where there is none yet
+  double seconds_left = -1;    ///< a rough estimate; negative where there is none yet
+  std::size_t primitives = 0;  ///< so far, which do not count among the hulls
 };
 /// Called at the start of each stage, for each finished mesh, and at most every 0.2 s in between;
 /// one call at a time, from any thread.

@@ -43,9 +43,10 @@ struct PrimitiveOptions {
 };
 
 /// A primitive that contains the hull and protrudes from S by no more than the tolerance; nullopt
-/// if none was found. `hull`: of a whole mesh, or of any part of a cover of it. Deterministic.
-/// Thread safe. The bound is as loose as the tolerance allows; certificate() finds a close one.
-/// Throws kBadOption, kEmptyMesh for a hull without vertices, kCancelled.
+/// if none was found. `hull`: of a whole mesh, or of any part of a cover of it. Deterministic. The
+/// bound is as loose as the tolerance allows; certificate() finds a close one. Throws kBadOption
+/// for a tolerance that is not a positive length or a margin that is negative or not finite,
+/// kInternal and kEmptyMesh as enclosingPrimitive(), kCancelled.
 std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, const Solid& solid,
                                                     const PrimitiveOptions& options,
                                                     const RunControl& control = {});
@@ -56,8 +57,8 @@ std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, cons
 CertifiedPrimitive primitiveOfKind(PrimitiveKind kind, const ConvexHull& hull, const Solid& solid,
                                    const PrimitiveOptions& options, const RunControl& control = {});
 
-/// The proof alone, for a primitive from anywhere. This and the following throw kBadOption,
-/// kCancelled.
+/// The proof alone, for a primitive from anywhere. This and the following throw kBadOption as
+/// coveringPrimitive(), kInternal as hullAround(), kCancelled.
 CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, double margin,
                                double tolerance, const RunControl& control = {});
 

@@ -38,18 +38,20 @@ struct Primitive {
 
 double volume(const Primitive& primitive);  ///< [m^3]
 
-/// The point of a primitive that is nearest to p; p itself if p is inside.
+/// [m] The point of a primitive that is nearest to p; p itself if p is inside.
 Eigen::Vector3d nearestPoint(const Primitive& primitive, const Eigen::Vector3d& p);
 
 /// [m] From p to the primitive, 0 inside.
 double distance(const Primitive& primitive, const Eigen::Vector3d& p);
 
-/// [m] The largest direction . x over the points x of the primitive.
+/// The largest direction . x over the points x of the primitive; in metres for a direction of unit
+/// length.
 double support(const Primitive& primitive, const Eigen::Vector3d& direction);
 
 /// A polyhedron that contains the primitive and whose points are no further than about `excess`
-/// [m], > 0, from it; a box is its own. Excesses below a thousandth of the radius are not reached:
-/// that would take too many faces. Throws kInternal if it does not contain the primitive.
+/// [m], > 0, from it; a box is its own. An excess below a thousandth of the radius may not be
+/// reached, as that would take too many faces. Throws kInternal if it does not contain the
+/// primitive.
 ConvexHull hullAround(const Primitive& primitive, double excess);
 
 /// A primitive that encloses a hull. It is larger than necessary by 1e-7 of the size and the

@@ -58,8 +58,7 @@ struct CertifiedSpheres {
 /// the tolerance is below what single precision and the mesh's margin allow, it is raised to that.
 /// If it takes more spheres than the limit, those are returned that protrude least among covers
 /// within the limit, as far as a search finds. `reason` says how far they protrude. Deterministic:
-/// the same mesh and options give the same spheres, on any number of threads. Thread safe. Works on
-/// all threads of the caller's TBB arena.
+/// the same mesh and options give the same spheres, on any number of threads.
 ///
 /// Time goes with spheres times points, both of which grow with the square of the mesh's size over
 /// the tolerance: 5,000 spheres take about a minute, and the limit's 10,000 several; a limit of

@@ -28,8 +28,8 @@ namespace collision_hulls {
 /// Pairs of links to ignore: neighbours at a joint, and those disabled by an SRDF.
 class IgnoredPairs {
  public:
-  /// Starts empty. Pairs may name links below `links`. Memory grows with `links` times the number
-  /// of links that are the lower one in a pair, one bit for each.
+  /// Starts empty, with room for pairs of links below `links`. Memory grows with `links` times the
+  /// number of links that are the lower one in a pair, one bit for each.
   explicit IgnoredPairs(std::size_t links = 0) : above_(links) {}
 
   /// Throws kIndexOutOfRange.
@@ -56,17 +56,17 @@ class IgnoredPairs {
 /// Bodies (hulls or meshes) carried by links. FCL's dynamic trees are made for thousands of moving
 /// bodies; for a robot's few links they take most of a query's time. Here the boxes of all links
 /// are compared instead; where two of them meet, their bodies are compared, box against box in the
-/// frame of one of the links. In metres. Not thread safe: copies of bodies are cheap, so give each
-/// thread its own model. Distances to bodies made of a QueryShape are FCL's, with the errors
-/// described in query_body.h; add hulls where distances matter.
+/// frame of one of the links. In metres. Queries, too, are for one thread at a time: copies of
+/// bodies are cheap, so give each thread its own models. Distances to bodies made of a QueryShape
+/// are FCL's, with the errors described in query_body.h; add hulls where distances matter.
 class BoxedModel {
  public:
   explicit BoxedModel(IgnoredPairs ignored = IgnoredPairs());  ///< pairs that queries leave out
   ~BoxedModel();
   BoxedModel(BoxedModel&&) noexcept;
 
-  /// `origin`: the body's pose in the link's frame. Empty bodies are left out. Throws
-  /// kNonFiniteCoordinate.
+  /// `origin`: the body's pose in the link's frame. Empty bodies are left out; a model without
+  /// bodies touches nothing. Throws kNonFiniteCoordinate.
   void add(std::size_t link, const QueryBody& body,
            const Eigen::Isometry3d& origin = Eigen::Isometry3d::Identity());
 

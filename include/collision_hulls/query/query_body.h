@@ -30,13 +30,13 @@ struct QueryShape {
 
 /// Meshes are FCL's BVH of OBBRSS, a surface without an inside, as in MoveIt; hulls are FCL's
 /// Convex. All are enlarged 1,024 times for FCL, whose thresholds are absolute. Immutable; copies
-/// share the body; thread safe.
+/// share the body.
 class QueryBody {
  public:
   explicit QueryBody(const ConvexHull& hull);  ///< empty if the hull has no vertices
   /// `origin`: the shape's frame in the body's
   QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin);
-  /// leaves out triangles without area; throws kCancelled
+  /// leaves out triangles without area; throws kInternal where FCL refuses the mesh, kCancelled
   explicit QueryBody(const TriangleMesh& mesh, const RunControl& control = {});
 
   /// true for a mesh without any area and a hull without vertices; such a body touches nothing
@@ -53,8 +53,8 @@ class QueryBody {
   std::size_t corners_ = 0;
 };
 
-// Both throw kInternal where FCL throws, with its message. No pair of hulls in doc/results/fcl.csv
-// made it do so in these settings.
+// The two queries throw kInternal where FCL throws, with its message. No pair of hulls in
+// doc/results/fcl.csv made it do so in these settings.
 
 /// Whether two bodies touch; `pose` is the second one's in the first one's frame.
 bool touch(const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose);
@@ -63,7 +63,7 @@ bool touch(const QueryBody& first, const QueryBody& second, const Eigen::Isometr
 double distanceBelow(double limit, const QueryBody& first, const QueryBody& second,
                      const Eigen::Isometry3d& pose);
 
-/// The axis-aligned box around a box at a pose.
+/// [m] The axis-aligned box around a box at a pose.
 Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose);
 
 /// Whether two boxes are disjoint; `pose` is the second one's in the first one's frame. If only a

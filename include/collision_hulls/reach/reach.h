@@ -20,7 +20,7 @@
 namespace collision_hulls {
 
 struct ReachOptions {
-  std::size_t evaluations = 2000;  ///< distance computations per pair, at most
+  std::size_t evaluations = 2000;  ///< distance computations per pair, at most; 1 or more
   /// In (0, 1): after the proof, the bound is raised until it reaches this share of the smallest
   /// distance found, or the evaluations run out.
   double tightness = 0.8;
@@ -60,7 +60,7 @@ struct Reach {
 /// does the next joint become part of the box. A separating plane proves each distance, whatever
 /// rounding does to the search for the plane.
 ///
-/// Immutable after construction, thread safe. Deterministic.
+/// Immutable after construction. Deterministic.
 class ReachProver {
  public:
   /// `links`: per link a hull that encloses all of it, in the link's frame; without vertices if the
@@ -71,7 +71,8 @@ class ReachProver {
   ReachProver(ReachProver&&) noexcept;
 
   /// Two links (indices); `clearance` [m] >= 0. For links that never move relative to each other, a
-  /// single distance decides. Throws kBadOption, kIndexOutOfRange, kCancelled.
+  /// single distance decides. Throws kBadOption for a clearance or an option out of range,
+  /// kIndexOutOfRange for a link that is not there, kCancelled.
   Reach betweenLinks(std::size_t link, std::size_t other, double clearance,
                      const ReachOptions& options = {}, const RunControl& control = {}) const;
 

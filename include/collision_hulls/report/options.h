@@ -190,7 +190,7 @@ struct Options : LinkOptions {
   double time_limit = 0;
 };
 
-/// Throws kBadOption for a text that is not 0 or a time: "5s", "500ms", "2min", or seconds alone.
+/// [s] Reads "5s", "500ms", "2min", "1h", seconds alone, or 0. Throws kBadOption for anything else.
 /// `option`: what the message calls it.
 double parseSeconds(const std::string& text, const std::string& option);
 
@@ -205,13 +205,15 @@ void checkLimits(const LinkOptions& options);  ///< throws kBadOption for a limi
 /// Throws kBadOption where `shapes` contradicts another setting.
 void checkShapes(const LinkOptions& options);
 
-/// Throws kBadOption naming the option, its value and its range. A tolerance above 1 m is a mistake
-/// in its unit.
+/// Throws kBadOption for an option out of range and for options that contradict each other, naming
+/// the option, its value and its range. Rules and regions are checked once there is a robot, see
+/// LinkDecisions.
 void check(const Options& options);
 
-/// Sets both limits to what a consumer of the hulls documents: "fcl", "moveit", "bullet", "physx"
-/// or "gazebo"; the source has each value and where it comes from. Throws kBadOption for another
-/// name.
+/// Sets max_hulls and max_vertices to what a consumer of the hulls documents: "fcl", "moveit",
+/// "bullet", "physx" or "gazebo"; the source has each value and where it comes from. Where a
+/// consumer documents none, there is no limit on hulls, and that on vertices is the default. Throws
+/// kBadOption for another name.
 void applyProfile(const std::string& profile, Options& options);
 
 }  // namespace collision_hulls

@@ -117,7 +117,7 @@ struct Report : ModelReport {
 /// report.json's text, with the fields and totals of the contract.
 std::string toJson(const Report& report, const RunControl& control = {});
 
-/// What the programs print: a table with a row for each mesh and their total, then the check, the
+/// The report for people: a table with a row for each mesh and their total, then the check, the
 /// scene and the notes, in plain words. The reasons of failed rows are in failures().
 std::string toTable(const Report& report);
 

@@ -69,12 +69,14 @@ struct Chain {
 /// variables; a mimic joint follows multiplier * value + offset of its master, through any number
 /// of masters and without regard to its own limits, as in robot_state_publisher. Floating and
 /// planar joints, which place a robot in the world, stay at their origin; so do those that slide to
-/// a limit further than 1e6 m away. Immutable, thread safe.
+/// a limit further than 1e6 m away. Immutable. The indices of links are those of
+/// RobotDescription::links, and have to be below links().
 class Kinematics {
  public:
-  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for mimic
-  /// joints that follow one another in a circle, for an origin that is further than
-  /// 1e6 m away, and for a mimic joint that slides as far or turns without end.
+  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for mimic joints
+  /// that follow one another in a circle, for an origin that is further than 1e6 m away, for a
+  /// mimic joint that slides as far or turns without end, and for more than a million links below
+  /// floating or planar joints (a link counts for each of these).
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }
@@ -105,19 +107,21 @@ class Kinematics {
   /// How the joints move a link (index).
   Chain chain(std::size_t link) const;
 
-  /// Whether two links (indices) never move against each other, since only fixed joints are between
-  /// them, or touch by design: those that a joint joins do. A link without geometry at the joint's
-  /// end stands for the one link that is fixed to it, if there is one. A mast on the base is no
-  /// neighbour of the arm. Collision checks leave adjacent pairs out.
+  /// Whether collision checks leave a pair of links (indices) out: those that never move against
+  /// each other, as only fixed joints are between them, and those that touch by design, as one
+  /// joint joins them. At that joint, a link without geometry stands for the link that is fixed to
+  /// it, if there is just one. A mast that is fixed to the base is not adjacent to the arm's first
+  /// link.
   bool adjacent(std::size_t link, std::size_t other) const;
 
-  /// Whether the variables within their limits tell all places that two links (indices) can have
-  /// against each other. They do not across a floating or planar joint, nor across one that mimics
-  /// a continuous joint at another pace, whose place depends on the turns before.
+  /// Whether every place that two links (indices) can have against each other is that of some
+  /// values of the variables within their limits. Not so across a floating or planar joint, nor
+  /// across one that mimics a continuous joint at another pace, as its place depends on the turns
+  /// made before.
   bool settled(std::size_t link, std::size_t other) const;
 
-  /// The same against the world in which the root link stands: floating and planar joints are taken
-  /// to stay at their origin.
+  /// The same for a link against the world in which the root link stands. Floating and planar
+  /// joints count as fixed at their origin.
   bool settled(std::size_t link) const;
 
   /// A sentence for each joint that does not move as one might expect: without room between its

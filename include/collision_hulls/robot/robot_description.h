@@ -1,4 +1,4 @@
-// Robot descriptions in and out. The only room that sees urdfdom.
+// Robot descriptions, in and out: URDF and xacro, packages, URIs, and new collision elements.
 //
 // For example:
 //
@@ -78,7 +78,7 @@ struct RobotDescription {
 };
 
 /// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative
-/// to. An element that cannot be read has a fault; the others do not suffer from it. Throws
+/// to. An element that cannot be read has a fault; the others are read all the same. Throws
 /// kNotXml, kNotARobot, kNoLinks, kTooLarge; the message gives line and reason where the parser
 /// does. Parses in another process, as readMesh() does (mesh/mesh_io.h), and throws for that
 /// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
@@ -88,8 +88,9 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
 /// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none),
 /// which finds the package that the file lies in, those beside it, and those of `package_path`, as
 /// defaultPackageFinder() takes it. `xacro_arguments`: "NAME:=VALUE", values for a .xacro file's
-/// arguments; kBadOption for those of another file, and for those that the file does not have. Also
-/// throws kFileNotFound.
+/// arguments; kBadOption for those of another file, and for those that the file does not have.
+/// Throws as parseRobotDescription(), kFileNotFound, kPackageNotFound for a package that the .xacro
+/// file needs, and kNotARobot where xacro fails.
 RobotDescription readRobotDescription(const std::string& path, const RunControl& control = {},
                                       const std::vector<std::string>& package_path = {},
                                       const std::vector<std::string>& xacro_arguments = {});
@@ -180,7 +181,7 @@ bool isRelativeUri(const std::string& uri);
 /// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted;
 /// those that others include last), without files that hold nothing but what others include, such
 /// as macros, properties and materials; where there are only such files, those of the whole
-/// package; for INPUT given as a package.
+/// package.
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
 
 /// The descriptions that a search found.
@@ -206,7 +207,7 @@ struct SourceElements {
 };
 SourceElements sourceElements(const LinkDescription& link, Source source);
 
-/// Whether an element is a primitive of some size; one that has none is nothing that could be hit.
+/// Whether an element is a primitive whose sizes are all above 0; nothing can hit another one.
 bool isSolidPrimitive(const GeometryElement& element);
 
 /// A `<collision>` to be written: a mesh by its URI at an origin, or a primitive.

@@ -28,7 +28,7 @@ enum class Sampling {
 
 /// A sequence of configurations within the joint limits. The i-th configuration does not depend on
 /// how many are drawn, so a longer run extends a shorter one. Each seed gives another sequence.
-/// Immutable, thread safe.
+/// Immutable.
 class ConfigurationSequence {
  public:
   explicit ConfigurationSequence(const Kinematics& kinematics, std::uint64_t seed = 1,
@@ -64,8 +64,8 @@ struct ConfigurationSet {
   std::vector<std::string> notes;
 };
 
-/// Collects configurations that arrive as names and positions: from a file, a bag or a topic. Keeps
-/// a reference to the kinematics.
+/// Collects configurations that arrive as names and positions: from a file, a bag or a topic.
+/// Refers to the kinematics, which must outlive it.
 class ConfigurationCollector {
  public:
   /// Throws kBadOption for a step that is negative or not finite.
@@ -131,7 +131,8 @@ class ConfigurationCollector {
 ///
 /// Throws kFileNotFound, kUnsupportedFormat and kTooLarge; kBadConfigurations, naming the line, for
 /// text that cannot be read, for a file without a configuration, and wherever
-/// ConfigurationCollector throws it.
+/// ConfigurationCollector throws it. YAML is parsed in another process, as meshes are: also throws
+/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
 ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics,
                                     const ConfigurationOptions& options = {},
                                     const RunControl& control = {});

@@ -57,7 +57,7 @@ constexpr double kPlaneSide = 20, kPlaneDepth = 0.1;  // [m]
 /// A slab that stands in for the unbounded plane a x + b y + c z + d = 0: kPlaneSide square and
 /// kPlaneDepth thick. Its upper face lies in the plane, centred at the plane's point nearest to the
 /// origin; the normal (a, b, c) points out of the slab. Throws kBadScene for a normal of zero
-/// length, or a plane more than 1e6 m from the origin.
+/// length, a plane more than 1e6 m from the origin, and numbers that are not finite.
 PlacedShape planeShape(const Eigen::Vector3d& normal, double d);
 
 /// How many numbers setShape() takes for "box" (3), "sphere" (1), "cylinder" and "cone" (2), and
@@ -68,10 +68,11 @@ std::size_t sizesOf(const std::string& kind);
 /// as the functions above, and kBadScene for another kind or another number of sizes.
 void setShape(SceneBody& body, const std::string& kind, const std::vector<double>& sizes);
 
-/// Appends a body. Throws kBadScene for a name that is empty, taken or longer than 1000 bytes, a
-/// pose that is not finite or more than 1e6 m out, a hull without vertices, or a mesh that has no
-/// triangles, an index out of range, or a vertex that is not finite or more than 1e6 m out. Takes
-/// time in the number of bodies: for many, use a SceneBuilder.
+/// Appends a body. Throws kTooLarge beyond 100,000 bodies; kBadScene for a name that is empty,
+/// taken, longer than 1000 bytes or with a control character, a pose that is not finite or more
+/// than 1e6 m out, a hull without vertices or with one that is not finite or more than 2e6 m out,
+/// or a mesh that has no triangles, an index out of range, or a vertex that is not finite or more
+/// than 1e6 m out. Takes time in the number of bodies: for many, use a SceneBuilder.
 void addBody(Scene& scene, SceneBody body);
 
 /// Appends many bodies to a scene, which nobody else changes meanwhile and which must outlive this.

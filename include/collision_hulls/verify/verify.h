@@ -28,30 +28,30 @@ struct Description {
   PackageFinder find_package;
 };
 
-/// What a mesh file is as a description: a robot of one link, "mesh", with the file as `<visual>`
-/// and as `<collision>`.
+/// A mesh file as a description: a robot of one link, "mesh", with the file as `<visual>` and as
+/// `<collision>`. Does not read it.
 Description describeMesh(const std::string& file);
 
-/// Which elements of ORIGINAL a model was made from.
+/// Which elements of the original a model was made from.
 struct MadeFrom {
   std::string report;             ///< the file that says so
-  Source source = Source::kAuto;  ///< as decompose has it: kAuto prefers a link's `<collision>`
+  Source source = Source::kAuto;  ///< LinkOptions::source: kAuto prefers a link's `<collision>`
   double close_openings = 0;      ///< [m] what was closed before; the largest where links differ
   /// kVisual or kCollision, of the links whose meshes were decomposed
   std::map<std::string, Source> of_link;
 };
 
-/// What the report of decompose says of the package whose urdf/ RESULT's file lies in; nullopt if
-/// there is no report, or if its model was made from another description than ORIGINAL.
+/// What report.json says of the package in whose urdf/ the result's file lies; nullopt if there is
+/// no report, or if its model was made from another description than the original.
 std::optional<MadeFrom> madeFrom(const Description& original, const Description& result);
 
 struct VerifyOptions {
-  /// What counts of ORIGINAL. kAuto: a link's `<visual>` elements if it has any, else its
-  /// `<collision>` ones. Of RESULT, `<collision>` alone counts.
+  /// What counts of the original. kAuto: a link's `<visual>` elements if it has any, else its
+  /// `<collision>` ones. Of the result, `<collision>` alone counts.
   Source source = Source::kAuto;
   std::optional<MadeFrom> made_from;  ///< counts instead of `source`; a note says so
   std::string links;  ///< regular expression that a link's whole name must match; empty: all
-  /// [m] Openings of ORIGINAL's shells up to this width are closed first; see closeOpenings().
+  /// [m] Openings of the original's shells up to this width are closed first; see closeOpenings().
   /// 0: none
   double close_openings = 0;
   /// [m] gates: a link that exceeds one does not pass. Without a gate any value does.
@@ -66,8 +66,8 @@ struct VerifyOptions {
 enum class LinkStatus {
   kOk,       ///< measured, and within the gates
   kOver,     ///< measured, and beyond a gate
-  kMissing,  ///< RESULT has nothing where ORIGINAL has geometry: all of it is uncovered
-  kAdded,    ///< ORIGINAL has nothing where RESULT has geometry: it protrudes without bound
+  kMissing,  ///< the result has nothing where the original has geometry: all of it is uncovered
+  kAdded,    ///< the original has nothing where the result has geometry: that has no bound
   kFailed    ///< not measured, as a mesh cannot be read
 };
 const char* name(LinkStatus status);  ///< "ok", "over", "missing", "added", "failed"
@@ -86,31 +86,32 @@ struct LinkVerification {
   std::string link;
   LinkStatus status = LinkStatus::kOk;
   std::string reason;         ///< why it is not ok
-  std::size_t triangles = 0;  ///< of ORIGINAL, primitives included
-  double diagonal = 0;        ///< [m] of ORIGINAL's bounding box
-  /// of RESULT: convex bodies, parts of meshes that are not convex, and spheres and cylinders
+  std::string uri;            ///< of the mesh that cannot be read, if that is why
+  std::size_t triangles = 0;  ///< of the original, primitives included
+  double diagonal = 0;        ///< [m] of the original's bounding box
+  /// of the result: convex bodies, parts of meshes that are not convex, and spheres and cylinders
   std::size_t hulls = 0, meshes = 0, primitives = 0;
-  Largest uncovered;   ///< distances from ORIGINAL's surface to RESULT
-  Largest protrusion;  ///< distances from RESULT to ORIGINAL's solid (measure/solid.h)
-  /// share of ORIGINAL's area that is further from RESULT than a millionth of the diagonal, by
-  /// 2,000 samples
+  Largest uncovered;   ///< distances from the original's surface to the result
+  Largest protrusion;  ///< distances from the result to the original's solid (measure/solid.h)
+  /// share of the original's area that is further from the result than a millionth of the diagonal,
+  /// by 2,000 samples
   double uncovered_share = 0;
-  /// collision queries in which the link took part: those that hit ORIGINAL, those that RESULT
-  /// missed, and those that hit RESULT alone
+  /// collision queries in which the link took part: those that hit the original, those that the
+  /// result missed, and those that hit the result alone
   std::size_t queries = 0, hits = 0, missed = 0, phantom = 0;
   double seconds = 0;
 };
 
-/// Two links, and the sampled configurations in which RESULT answers unlike ORIGINAL.
+/// Two links, and the sampled configurations in which the result answers unlike the original.
 struct PairVerification {
   std::string first, second;  ///< names
-  /// configurations: all, those in which ORIGINAL's links collide, those in which RESULT misses
-  /// that, and those in which RESULT's alone collide
+  /// configurations: all, those in which the original's links collide, those in which the result
+  /// misses that, and those in which the result's alone collide
   std::size_t queries = 0, hits = 0, missed = 0, phantom = 0;
 };
 
 struct Verification {
-  std::vector<LinkVerification> links;  ///< with geometry on either side, in ORIGINAL's order
+  std::vector<LinkVerification> links;  ///< with geometry on either side, in the original's order
   /// pairs of links with a missed or a phantom query, those with most of them first; at most
   /// 1,000, and none for more than 2,000 links
   std::vector<PairVerification> pairs;
@@ -127,22 +128,24 @@ struct Verification {
 /// configurations, between the links that can move against each other, and with a box that is put
 /// near one of them.
 ///
-/// A mesh of RESULT counts as what it is, its surface and what that encloses, although some
+/// A mesh of the result counts as what it is, its surface and what that encloses, although some
 /// consumers take its convex hull. Its closed components that are convex up to some millionths of
 /// their size count as hulls, however many are in one file. Boxes, spheres and cylinders are exact
-/// where RESULT covers; where they protrude, and as parts of ORIGINAL, round ones are replaced by
-/// polyhedra whose error is part of the bound. A mesh or primitive that both sides hold equally is
-/// covered and does not protrude.
+/// where the result covers; where they protrude, and as parts of the original, round ones are
+/// replaced by polyhedra whose error is part of the bound. A mesh or primitive that both sides hold
+/// equally is covered and does not protrude.
 ///
 /// For a robot with joints that Kinematics refuses, no configuration is tried, and a note says so.
 ///
-/// Deterministic apart from times. Throws kBadOption, kCancelled.
+/// Deterministic apart from times. A mesh that cannot be read fails its link. Throws kBadOption for
+/// an option out of range, and where nothing can be compared: neither has geometry in the chosen
+/// links, or each has it in links of its own alone; kCancelled.
 Verification verify(const Description& original, const Description& result,
                     const VerifyOptions& options, const RunControl& control = {});
 
 /// Whether every link is within the gates and was measured, and nothing contradicts the bounds. A
-/// link that RESULT lacks fails only the gate on cover, and one that ORIGINAL lacks only that on
-/// protrusion.
+/// link that the result lacks fails only the gate on cover, and one that the original lacks only
+/// that on protrusion.
 bool passed(const Verification& verification, const VerifyOptions& options);
 
 std::string toTable(const Verification& verification);

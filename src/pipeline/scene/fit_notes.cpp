@@ -20,7 +20,8 @@ namespace {
 
 constexpr double kOften = 0.01;  // of the samples: if a pair of links collides in more though its meshes do not, there is a note
 constexpr double kMost = 0.5;    // of the samples: if the robot touches the scene in more, there is a note
-constexpr double kFew = 0.02;    // of the samples: if the robot keeps the clearance in fewer, there is a note
+constexpr double kSlower = 1.5, kLeastUs = 1;  // times as long, and by how much [us]: less may be chance
+constexpr double kFew = 0.02;                  // of the samples: if the robot keeps the clearance in fewer, there is a note
 
 using LeftOut = std::vector<const LeftOutPair*>;
 
@@ -98,6 +99,25 @@ std::string noteOnFewClear(const FitReport& fit) {
          "or give " + (fit.given ? "other configurations" : "the configurations that matter");
 }
 
+/// "6.96 us for a collision query, 5.54 us with the meshes"; empty: the model is not slower.
+std::string slowerText(const std::string& query, double model_us, double meshes_us) {
+  if (meshes_us <= 0 || model_us < kSlower * meshes_us || model_us < meshes_us + kLeastUs) return "";
+  return figure(model_us) + " us for a " + query + " query, " + figure(meshes_us) + " us with the meshes";
+}
+
+/// The body of a scene that is a mesh of most triangles; null: none is.
+const SceneBody* largestMesh(const Scene& scene) {
+  const SceneBody* largest = nullptr;
+  std::size_t most = 0;
+  for (const SceneBody& body : scene.bodies) {
+    const TriangleMesh* const mesh = std::get_if<TriangleMesh>(&body.shape);
+    if (!mesh || mesh->triangles.size() <= most) continue;
+    most = mesh->triangles.size();
+    largest = &body;
+  }
+  return largest;
+}
+
 /// [m] From the root's origin to a hull's bounding box, or to a mesh, in which a robot may stand.
 double distanceTo(const SceneBody& body) {
   if (const auto* const hull = std::get_if<ConvexHull>(&body.shape)) {
@@ -125,6 +145,20 @@ std::string noteOnUnknownPairs(const std::vector<DisabledPair>& disabled, const 
   return counted(count, "pair") + " of links that " + (count == 1 ? "is" : "are") + " not to be checked " +
          (count == 1 ? "names" : "name") + " links that the robot does not have (" + shown(first->link1) + " and " + shown(first->link2) +
          (count == 1 ? "" : ", for one") + "); " + (count == 1 ? "it is" : "they are") + " left out: correct the names";
+}
+
+std::string noteOnSpeed(const FitReport& fit, const Scene& scene) {
+  const std::string collision = slowerText("collision", fit.query_us, fit.original_query_us),
+                    distance = slowerText("distance", fit.distance_us, fit.original_distance_us);
+  if (collision.empty() && distance.empty()) return "";
+  const SceneBody* const mesh = largestMesh(scene);
+  return "the fitted model is slower than the meshes: it takes " + collision + (collision.empty() || distance.empty() ? "" : "; ") +
+         distance +
+         (mesh ? ". Body '" + mesh->name +
+                     "' of the scene is a mesh, and hulls take long against a mesh: give it as boxes, cylinders or "
+                     "spheres, which 'decompose --shapes primitives' makes"
+               : ". Hulls gain little where meshes have few triangles: keep the meshes, or give a larger clearance, which takes fewer "
+                 "hulls");
 }
 
 double reachOf(const RobotDescription& robot) {

@@ -22,6 +22,9 @@ std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped)
 /// On what was fitted. `unfitted`: links that the options keep or remove.
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted);
 
+/// On a model that takes longer to query than the meshes that it stands for; empty: it does not.
+std::string noteOnSpeed(const FitReport& fit, const Scene& scene);
+
 /// On pairs that are not to be checked, of links that the robot does not have; empty: there are none.
 std::string noteOnUnknownPairs(const std::vector<DisabledPair>& disabled, const RobotDescription& robot);
 

@@ -54,7 +54,8 @@ void addRows(const LinkResult& result, LinkPreview& message) {
     status = worse(status, row.status);
     if (message.reason.empty()) message.reason = inNodeWords(row.reason);
     message.triangles += static_cast<std::uint32_t>(row.triangles);
-    message.hulls += static_cast<std::uint32_t>(row.hulls + row.primitives);
+    message.hulls += static_cast<std::uint32_t>(row.hulls);
+    message.primitives += static_cast<std::uint32_t>(row.primitives);
     message.hull_vertices += static_cast<std::uint32_t>(row.hull_vertices);
     message.tolerance = std::max(message.tolerance, row.tolerance);
     message.protrusion = std::max(message.protrusion, row.protrusion);

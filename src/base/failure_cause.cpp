@@ -1,0 +1,40 @@
+#include "base/failure_cause.h"
+
+#include "base/counted.h"
+#include "base/string_parts.h"
+
+namespace collision_hulls {
+namespace {
+
+/// Erases a part of a text wherever it stands; `whole_word`: with what is before it, back to a space or quote.
+void eraseAll(const std::string& part, bool whole_word, std::string& text) {
+  for (std::size_t at = 0; !part.empty() && (at = text.find(part, at)) != std::string::npos;) {
+    const std::size_t begin = whole_word && at > 0 ? text.find_last_of(" '", at - 1) + 1 : at;  // 0 if there is none
+    text.erase(begin, at + part.size() - begin);
+    at = begin;
+  }
+}
+
+void eraseLineNumbers(std::string& text) {
+  const std::string line = "', line ";
+  for (std::size_t at = 0; (at = text.find(line, at)) != std::string::npos;) {
+    at += line.size();
+    text.erase(at, text.find_first_not_of("0123456789", at) - at);
+  }
+}
+
+}  // namespace
+
+std::string failureCause(std::string reason, const std::string& uri, const std::string& link, Folder folder) {
+  eraseAll(lastPart(uri), folder == Folder::kLeftOut, reason);
+  eraseAll("'" + link + "'", false, reason);
+  eraseAll("[" + link + "]", false, reason);
+  eraseLineNumbers(reason);
+  return reason;
+}
+
+std::string theSameFor(std::size_t more_meshes, std::size_t links) {
+  return " (the same for " + counted(more_meshes, "more mesh", "more meshes") + ", of " + counted(links, "link") + " in all)";
+}
+
+}  // namespace collision_hulls

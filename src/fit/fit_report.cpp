@@ -209,19 +209,23 @@ std::string worstLeafContacts(const FittedModel& model) {
 
 }  // namespace
 
-double upperBound(std::size_t found) {
-  // The mean at which a Poisson variable is at most `found` with a probability of 5 %. The terms are summed from the last one down, as
-  // shares of it: the first, exp(-mean), is no number above a mean of 745.
+double upperBound(std::size_t found, double risk) {
+  // The mean at which a Poisson variable is at most `found` with this probability. The terms are summed from the last one down, as shares
+  // of it: the first, exp(-mean), is no number above a mean of 745.
   const auto most = static_cast<double>(found);
   const auto logarithm = [&](double mean) {
     double term = 1, sum = 1;
     for (double i = most; i > 0 && term > 1e-17 * sum; --i) sum += term *= i / mean;
     return std::log(sum) + most * std::log(mean) - mean - std::lgamma(most + 1);
   };
-  constexpr double kRisk = 0.05;
-  double low = 0, high = 10 + 3 * most;
-  for (int i = 0; i < 60; ++i) (logarithm((low + high) / 2) > std::log(kRisk) ? low : high) = (low + high) / 2;
+  double low = 0, high = 10 + 3 * most - 2 * std::log(risk);
+  for (int i = 0; i < 60; ++i) (logarithm((low + high) / 2) > std::log(risk) ? low : high) = (low + high) / 2;
   return high;
+}
+
+double rateBound(std::size_t found, std::size_t samples, std::size_t batch) {
+  constexpr double kRisk = 0.05;  // of all batches: a half of it, a quarter, ...
+  return std::min(1.0, upperBound(found, std::ldexp(kRisk, -static_cast<int>(batch))) / static_cast<double>(samples));
 }
 
 Hits countHits(const FittedModel& model, const RunControl& control) {
@@ -285,7 +289,7 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   report.phantom = clearOnes(model, hit, control);
   report.clear_of = std::min(count, kLookedAt);
   report.clear = clearOnes(model, std::vector<char>(report.clear_of, 1), control);
-  report.phantom_rate_bound = report.given ? 0 : std::min(1.0, upperBound(report.phantom) / static_cast<double>(count));
+  report.phantom_rate_bound = report.given ? 0 : rateBound(report.phantom, count, model.fitting.verifyingBatches());
   report.far_bodies = model.near.far_bodies;
   report.proved_pairs = model.rules.proved.size() + model.near.links * model.near.far_bodies;
   report.pairs = model.rules.pairs.size() + report.proved_pairs;

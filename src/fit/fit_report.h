@@ -37,8 +37,11 @@ FitReport fitReport(const FittedModel& model, const Hits& hits, const RunControl
 /// few samples are enough.
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits);
 
-/// Upper bound, with 95 % confidence, on the expected count when `found` were seen: 3 for none. Divided by the number of samples it bounds
-/// the rate.
-double upperBound(std::size_t found);
+/// Upper bound on the expected count when `found` were seen, wrong with this probability: at 5 %, 3 for none.
+double upperBound(std::size_t found, double risk);
+
+/// Upper bound on the rate of what was found in the samples of a batch, the `batch`-th (from 1) of those that were tried until one was
+/// clear. Some batch's bound is wrong with a probability of 5 % at most, however many there are.
+double rateBound(std::size_t found, std::size_t samples, std::size_t batch);
 
 }  // namespace collision_hulls

@@ -12,7 +12,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kFirstBatch = 256;  // samples; each further batch is twice as large
-constexpr int kMostRounds = 12;           // over the same samples, and of verification
+constexpr std::size_t kMostRounds = 12;   // over the same samples, and of verification
 
 struct Answer {
   std::vector<Contact> current, roots;
@@ -148,17 +148,18 @@ void Fitting::fitAll() {
 void Fitting::usePrimitives() {
   cuts_ = assembly_.cheapest(hull_cuts_);
   Cuts before;
-  for (int round = 0; round < kMostRounds && before != cuts_; ++round) {
+  for (std::size_t round = 0; round < kMostRounds && before != cuts_; ++round) {
     before = cuts_;
     refute(asked_);
   }
 }
 
 /// Step 6. Evaluates batches until one has no counterexample, or none that opening could cure. Its samples are independent, since a rate is
-/// concluded from them; for the same reason the last batch must not change the model, whatever it shows.
+/// concluded from them; for the same reason the last batch must not change the model, whatever it shows, and batches are counted: of many,
+/// one is clear by chance.
 void Fitting::verify() {
   next_ = std::max(next_, Assembly::kIndependentFrom);
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (batches_ = 1; batches_ <= kMostRounds; ++batches_) {
     const Cuts hulls = hull_cuts_, all = cuts_;
     cureBatch(options_.samples);
     if (hulls == hull_cuts_ && all == cuts_) return;

@@ -38,6 +38,7 @@ class Fitting {
   const Cuts& hullCuts() const { return hull_cuts_; }          ///< with hulls in place of primitives
   const CheckedPairs& pairs() const { return pairs_; }         ///< to check, by the rules
   std::size_t verifiedFrom() const { return verified_from_; }  ///< first sample of the last batch, on which the model does not depend
+  std::size_t verifyingBatches() const { return batches_; }    ///< up to that one, each of which might have been the last
   std::size_t asked() const { return asked_.size(); }
   std::size_t cured() const { return cured_; }
   const std::vector<Contact>& leafContacts() const { return leaves_; }  ///< left over in the last batch
@@ -64,7 +65,7 @@ class Fitting {
   Cuts hull_cuts_, cuts_;  // the latter with primitives, once there are any
   std::vector<Contact> roots_, seen_, leaves_;
   std::vector<std::size_t> asked_;  // samples
-  std::size_t next_ = 0, cured_ = 0, verified_from_ = 0;
+  std::size_t next_ = 0, cured_ = 0, verified_from_ = 0, batches_ = 0;
   double progress_ = 0;
 };
 

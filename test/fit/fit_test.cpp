@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
@@ -73,7 +74,7 @@ TEST(FitScene, PostInTheGapOpensTheHull) {
   EXPECT_EQ(fit.report.missed, 0u);
   EXPECT_EQ(fit.report.phantom, 0u);
   EXPECT_EQ(fit.report.original_hits, 0u);
-  EXPECT_NEAR(fit.report.phantom_rate_bound, 3.0 / 1000, 1e-4);
+  EXPECT_NEAR(fit.report.phantom_rate_bound, 3.69 / 1000, 1e-5);  // by the first batch
   EXPECT_FALSE(fit.report.links[0].proved);
   EXPECT_EQ(fit.report.links[0].reason.substr(0, 22), "3 boxes: against post ") << fit.report.links[0].reason;
 }
@@ -394,13 +395,35 @@ TEST(FitScene, ComparesTheFittedModelWithOthers) {
   EXPECT_GT(fit.report.clear, 0u);
 }
 
+/// The k-th batch may err with a probability of 5 % / 2^k.
+TEST(RateBound, OfLaterBatchesIsLarger) {
+  double risk = 0;
+  for (std::size_t batch = 1; batch <= 13; ++batch) {
+    risk += std::exp(-1000 * rateBound(0, 1000, batch));  // Poisson: of none where the mean is the bound's
+    EXPECT_LE(risk, 0.05);
+  }
+  EXPECT_GT(risk, 0.0499);
+  EXPECT_NEAR(rateBound(2, 1000, 3), upperBound(2, 0.05 / 8) / 1000, 1e-12);
+  EXPECT_EQ(rateBound(5, 5, 1), 1);
+}
+
+/// Few samples find counterexamples late, so that the first batch is hardly ever the last.
+TEST(FitScene, CountsTheBatchesThatItTriedToVerifyBy) {
+  const FitProblem problem = overPost();
+  FitOptions options = fitOptions(0.01, 20);
+  options.primitives = false;
+  const FitReport report = fitScene(problem, options).report;
+  EXPECT_EQ(report.phantom, 0u);
+  EXPECT_NEAR(report.phantom_rate_bound, rateBound(0, 20, 2), 1e-12);
+}
+
 TEST(UpperBound, OfThePoissonDistribution) {
-  EXPECT_NEAR(upperBound(0), 2.9957, 1e-3);
-  EXPECT_NEAR(upperBound(1), 4.7439, 1e-3);
-  EXPECT_NEAR(upperBound(10), 16.962, 1e-2);
-  EXPECT_NEAR(upperBound(700), 745.111, 1e-2);
-  EXPECT_NEAR(upperBound(1000), 1053.60, 1e-2);
-  EXPECT_NEAR(upperBound(10'000'000), 10'005'203, 1);
+  EXPECT_NEAR(upperBound(0, 0.05), 2.9957, 1e-3);
+  EXPECT_NEAR(upperBound(1, 0.05), 4.7439, 1e-3);
+  EXPECT_NEAR(upperBound(10, 0.05), 16.962, 1e-2);
+  EXPECT_NEAR(upperBound(700, 0.05), 745.111, 1e-2);
+  EXPECT_NEAR(upperBound(1000, 0.05), 1053.60, 1e-2);
+  EXPECT_NEAR(upperBound(10'000'000, 0.05), 10'005'203, 1);
 }
 
 }  // namespace

@@ -158,8 +158,8 @@ struct FitReport {
   std::size_t missed = 0;
   /// samples in which the model collides though the original keeps its clearance
   std::size_t phantom = 0;
-  /// upper bound over all configurations, at most 1, at 95 % confidence for the batch of samples
-  /// that verified the model by itself (up to twelve are tried); 0 if the configurations were given
+  /// upper bound over all configurations, at most 1, at 95 % confidence, however many batches of
+  /// samples were tried until one verified the model; 0 if the configurations were given
   double phantom_rate_bound = 0;
   /// of the first `clear_of` samples, those in which the original keeps its clearance: what false
   /// collisions are counted among

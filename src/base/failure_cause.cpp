@@ -16,10 +16,11 @@ void eraseAll(const std::string& part, bool whole_word, std::string& text) {
 }
 
 void eraseLineNumbers(std::string& text) {
-  const std::string line = "', line ";
-  for (std::size_t at = 0; (at = text.find(line, at)) != std::string::npos;) {
-    at += line.size();
-    text.erase(at, text.find_first_not_of("0123456789", at) - at);
+  for (const std::string line : {"', line ", ": line "}) {
+    for (std::size_t at = 0; (at = text.find(line, at)) != std::string::npos;) {
+      at += line.size();
+      text.erase(at, text.find_first_not_of("0123456789", at) - at);
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // Builds the report of a fit from the verification samples: hits per pair, phantoms and their rate bound, query times, and a reason for
-// each link's bodies. The rate bound is the exact Poisson upper limit, 3/N without a phantom, which needs independent samples.
+// each link's bodies. The rate bound is the exact Poisson upper limit, 3.7/N without a phantom in the first batch, which needs independent
+// samples.
 #include "fit/fit_report.h"
 
 #include <algorithm>

@@ -166,7 +166,8 @@ std::string noteOnBareFailed(const std::vector<std::string>& links, bool has_oth
 
 std::string noteOnUnusedHulls(const std::vector<std::string>& links) {
   const std::string its = links.size() == 1 ? "its" : "their";
-  return linksThat(links, "keeps", "keep") + " " + its + " collision elements because one of " + its + " meshes failed; hulls of " + its +
+  return linksThat(links, "keeps", "keep") + " " + its + " collision elements because " +
+         (links.size() == 1 ? "one of its meshes" : "a mesh of each") + " failed; hulls of " + its +
          " other meshes are written, but not used";
 }
 

@@ -15,6 +15,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/report/totals.h"
+#include "collision_hulls/robot/kinematics.h"
 #include "fit/enclosing.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
@@ -298,6 +299,27 @@ std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisi
   return fit.disabled;
 }
 
+/// Adds pairs of adjacent links of which one keeps its elements: it had no part in the fit, and a planner checks it all the same.
+void addAdjacentOfKept(const RobotDescription& robot, const LinkDecisions& decisions, std::vector<DisabledPair>& disabled) {
+  const Kinematics kinematics(robot);
+  const auto action = [&](const LinkDescription& link) {
+    const LinkOptions* const options = decisions.of(link.name);
+    return options ? options->action : Action::kKeep;
+  };
+  const auto keeps = [&](const LinkDescription& link) { return action(link) == Action::kKeep && !link.collisions.empty(); };
+  const auto is_made = [&](const LinkDescription& link) {
+    return action(link) == Action::kDecompose && !(link.collisions.empty() && link.visuals.empty());
+  };
+  for (std::size_t a = 0; a < robot.links.size(); ++a) {
+    if (!keeps(robot.links[a])) continue;
+    for (std::size_t b = 0; b < robot.links.size(); ++b) {
+      const bool once = is_made(robot.links[b]) || (a < b && keeps(robot.links[b]));
+      if (once && kinematics.adjacent(a, b))
+        disabled.push_back({robot.links[a].name, robot.links[b].name, "Adjacent", "joined, or fixed to each other"});
+    }
+  }
+}
+
 }  // namespace
 
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
@@ -334,6 +356,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
     result.scene = surfaceOf(request.scene);
+    addAdjacentOfKept(robot, decisions.front(), disabled);
     result.extra_files["config/" + robotFileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
     const Totals sums = totals(result.report);
     for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);

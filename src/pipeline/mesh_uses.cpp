@@ -183,6 +183,16 @@ std::shared_ptr<const MeshResult> failedMesh() {
   return std::make_shared<const MeshResult>(std::move(failed));
 }
 
+/// Whether a rule is for a link that has something to keep or remove.
+bool matchesGeometry(const RobotDescription& robot, const LinkRule& rule, const RunControl& control) {
+  const LinkPattern pattern(rule.pattern, "links");
+  return std::any_of(robot.links.begin(), robot.links.end(), [&](const LinkDescription& link) {
+    control.check();
+    if (link.visuals.empty() && link.collisions.empty()) return false;
+    return pattern.names() ? pattern.names()->count(link.name) > 0 : pattern.matches(link.name);
+  });
+}
+
 }  // namespace
 
 std::vector<MeshUse> meshUses(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions) {
@@ -324,8 +334,13 @@ std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDe
         "' changes nothing: no link that it matches has a mesh to decompose" +
         (std::any_of(robot.links.begin(), robot.links.end(), may_use_visual) ? "; 'source: visual' uses their visual meshes" : ""));
   };
-  for (const LinkRule& rule : options.rules)
-    if (rule.settings.action.value_or(Action::kDecompose) == Action::kDecompose) look("links", rule.pattern, rule.place);
+  for (const LinkRule& rule : options.rules) {
+    if (rule.settings.action.value_or(Action::kDecompose) == Action::kDecompose)
+      look("links", rule.pattern, rule.place);
+    else if (!matchesGeometry(robot, rule, control))
+      notes.push_back((rule.place.empty() ? "" : rule.place + ": ") + "links '" + rule.pattern +
+                      "' changes nothing: no link that it matches has geometry");
+  }
   for (const RegionRule& rule : options.region_rules) look("region '" + rule.name + "' of link", rule.pattern, rule.place);
   return notes;
 }

@@ -210,9 +210,10 @@ std::string failure(const Report& report, const ElementReport& row) {
   return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : shown(row.uri) + ": ") + row.reason;
 }
 
-/// Files are missing folder by folder.
+/// Files are missing, and out of bounds, folder by folder.
 std::string cause(const ElementReport& row) {
-  const Folder folder = row.error == name(ErrorCode::kFileNotFound) ? Folder::kKept : Folder::kLeftOut;
+  const Folder folder =
+      row.error == name(ErrorCode::kFileNotFound) || row.error == name(ErrorCode::kOutsideRoots) ? Folder::kKept : Folder::kLeftOut;
   return row.error + "\n" + failureCause(row.reason, row.uri, row.link, folder);
 }
 

@@ -116,6 +116,7 @@ DecomposeFeedback toMessage(const Step& step) {
   feedback.done = static_cast<std::uint32_t>(step.done);
   feedback.total = static_cast<std::uint32_t>(step.total);
   feedback.hulls = static_cast<std::uint32_t>(step.hulls);
+  feedback.primitives = static_cast<std::uint32_t>(step.primitives);
   feedback.fraction = step.fraction;
   feedback.seconds_left = step.seconds_left < 0 ? -1 : step.seconds_left;
   feedback.text = stepText(step);

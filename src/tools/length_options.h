@@ -14,13 +14,14 @@ namespace collision_hulls {
 inline void expectUnitIn(const std::string& text, double metres, const std::string& option, const std::string& otherwise = "") {
   if (metres <= kLargestTolerance || metres == Length::kUnset) return;
   const bool has_unit = text.find_first_of("mi") != std::string::npos;  // of each unit
+  const bool is_metres = text.find_first_of("ci") == std::string::npos && text.find("mm") == std::string::npos;
   const double thousandth = metres / 1000;
-  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is more than " + decimal(kLargestTolerance) +
-                                         " m, the largest that makes sense for a mesh" +
-                                         (has_unit ? "" : ": a number without a unit is in metres") +
-                                         (thousandth <= kLargestTolerance ? "; did you mean " + toString(lengthOf(thousandth)) + "?"
-                                                                          : "; give a smaller length, as in 5mm.") +
-                                         otherwise);
+  throw Error(ErrorCode::kBadOption,
+              option + " '" + text + "' is more than " + decimal(kLargestTolerance) + " m, the largest that makes sense for a mesh" +
+                  (has_unit ? "" : ": a number without a unit is in metres") +
+                  (is_metres && thousandth <= kLargestTolerance ? "; did you mean " + toString(lengthOf(thousandth)) + "?"
+                                                                : "; give a smaller length, as in 5mm.") +
+                  otherwise);
 }
 
 /// parseLength(), up to the largest.

@@ -19,7 +19,7 @@ TEST(PatternFault, NamesTheCharacterAndTheRemedy) {
   EXPECT_EQ(faultOf("arm_["), "a '[' is not closed; add ']', or write \\[ for the character itself");
   EXPECT_EQ(faultOf("a{2"), "a '{' is not closed; add '}', or write \\{ for the character itself");
   for (const char* expression : {"(arm", "arm)", "a|*"}) EXPECT_EQ(faultOf(expression).rfind("a '(' or ')' lacks", 0), 0u) << expression;
-  for (const char* expression : {"a{x}", "a{2,1}"}) EXPECT_EQ(faultOf(expression).rfind("a '{' has no number", 0), 0u) << expression;
+  for (const char* expression : {"a{x}", "a{2,1}"}) EXPECT_EQ(faultOf(expression).rfind("a '{' has no valid number", 0), 0u) << expression;
   EXPECT_EQ(faultOf("[z-a]").rfind("a '-' within [...] has no range", 0), 0u);
   EXPECT_EQ(faultOf("[[:arm:]]").rfind("a class within [...] is unknown", 0), 0u);
   EXPECT_EQ(faultOf("arm\\").rfind("a '\\' escapes nothing", 0), 0u);

@@ -246,7 +246,7 @@ TEST(FitScene, CapOnHullsHolds) {
 TEST(FitScene, ARateIsBoundByOne) {
   FitProblem problem = overPost();
   problem.scene.bodies.clear();
-  EXPECT_EQ(fitScene(problem, fitOptions(0.01, 2)).report.phantom_rate_bound, 1);  // of none in two, the Poisson limit is 1.5
+  EXPECT_EQ(fitScene(problem, fitOptions(0.01, 2)).report.phantom_rate_bound, 1);  // of none in two, the Poisson limit is 1.84
 }
 
 TEST(FitScene, ReportsATreeThatIsTooCoarse) {

@@ -177,6 +177,23 @@ TEST(NotesOnIdle, AListOfNamesIsLookedUp) {
   EXPECT_EQ(notes[0].substr(0, 28), "links 'hand' changes nothing");
 }
 
+TEST(NotesOnIdle, OfARuleThatKeepsNothing) {
+  RobotDescription robot;
+  robot.links.resize(2);
+  robot.links[0].name = "base_inertia";
+  robot.links[0].collisions = {use("a.stl").source};
+  robot.links[1].name = "base";
+  for (const std::string& pattern : {"base", "base_i.*", "base.*", "base|base_inertia"}) {
+    Options options;
+    options.rules = {{pattern, {}, "f.yaml, line 2"}};
+    options.rules[0].settings.action = Action::kKeep;
+    const std::vector<std::string> notes = notesOnIdle(robot, LinkDecisions(options, robot), options);
+    std::vector<std::string> expected;
+    if (pattern == "base") expected = {"f.yaml, line 2: links 'base' changes nothing: no link that it matches has geometry"};
+    EXPECT_EQ(notes, expected) << pattern;
+  }
+}
+
 TEST(Fail, DropsWhatWasMadeAndKeepsWhatWasRead) {
   MeshResult result;
   result.mesh.triangles = 12;

@@ -154,11 +154,13 @@ TEST(ToMessage, Totals) {
 }
 
 TEST(ToMessage, Feedback) {
-  const DecomposeFeedback feedback = toMessage(Step{"decompose", "arm", 1, 4, 7, 0.25, 12});
+  const DecomposeFeedback feedback = toMessage(Step{"decompose", "arm", 1, 4, 7, 0.25, 12, 3});
   EXPECT_EQ("arm", feedback.link);
+  EXPECT_EQ(7u, feedback.hulls);
+  EXPECT_EQ(3u, feedback.primitives);
   EXPECT_EQ(0.25, feedback.fraction);
   EXPECT_EQ(12, feedback.seconds_left);
-  EXPECT_EQ("1 of 4 meshes, 7 hulls, about 15 s left", feedback.text);
+  EXPECT_EQ("1 of 4 meshes, 7 hulls and 3 primitives, about 15 s left", feedback.text);
   EXPECT_EQ(-1, toMessage(Step{"read", "", 0, 4, 0, 0, -0.5}).seconds_left);
 }
 

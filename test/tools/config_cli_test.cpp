@@ -117,6 +117,16 @@ TEST_F(FitSceneConfig, KeptAndRemovedLinksHaveNoPart) {
   EXPECT_NE(report()["notes"].dump().find("1 link that is kept or removed had no part in the fit"), std::string::npos) << report()["notes"];
 }
 
+TEST_F(FitSceneConfig, AKeptLinkIsStillNextToOthers) {
+  std::string description = fixtures::read(folder_ / "arm.urdf");
+  for (std::size_t at = 0; (at = description.find("visual>", at)) != std::string::npos;) description.replace(at, 6, "collision");
+  fixtures::write(folder_ / "arm.urdf", description);
+  fixtures::write(folder_ / "keep.yaml", "links: {hand: keep}");
+  EXPECT_EQ(run(scene_ + "--config keep.yaml").status, 0);
+  const std::string disabled = fixtures::read(folder_ / "out/config/arm_disabled.srdf");
+  EXPECT_NE(disabled.find("<disable_collisions link1=\"hand\" link2=\"base\" reason=\"Adjacent\""), std::string::npos) << disabled;
+}
+
 TEST_F(FitSceneConfig, WrongUse) {
   fixtures::write(folder_ / "box.yaml", "links:\n  hand: {method: bounding_box}");
   expectWrongUse(scene_ + "--config box.yaml", {"'box.yaml', line 2", "method 'bounding_box' of link 'hand'", "or keep the link"});

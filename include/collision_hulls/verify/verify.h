@@ -68,7 +68,7 @@ enum class LinkStatus {
   kOver,     ///< measured, and beyond a gate
   kMissing,  ///< the result has nothing where the original has geometry: all of it is uncovered
   kAdded,    ///< the original has nothing where the result has geometry: that has no bound
-  kFailed    ///< not measured, as a mesh cannot be read
+  kFailed    ///< not measured, as an element cannot be read
 };
 const char* name(LinkStatus status);  ///< "ok", "over", "missing", "added", "failed"
 

@@ -83,8 +83,9 @@ std::string vertexLimitText(const ElementReport& row, std::size_t others) {
          ": with more, as in --max-vertices 256, or without a limit (0), far fewer may do";
 }
 
-std::string convexPartsText(const ElementReport& row, const TriangleMesh& mesh, std::size_t others, bool single_mesh) {
-  const ConvexParts parts = convexParts(mesh);
+std::string convexPartsText(const ElementReport& row, const TriangleMesh& mesh, std::size_t others, bool single_mesh,
+                            const RunControl& control) {
+  const ConvexParts parts = convexParts(mesh, control);
   return "already consists of " + counted(parts.hulls.size(), "convex part") +
          (parts.rest_parts > 0 ? " and " + counted(parts.rest_parts, "other") : "") + ", and " + took(row) + likeIt(others) +
          ": use it as it is" + (single_mesh ? "" : " ('keep' in a configuration)") + ", or give a larger tolerance for fewer hulls";
@@ -119,11 +120,11 @@ std::string detailText(const ElementReport& row, std::size_t others) {
          "; so does a limit, as in --max-hulls 16";
 }
 
-std::string noteOn(Cause cause, const Alike& alike, bool single_mesh) {
+std::string noteOn(Cause cause, const Alike& alike, bool single_mesh, const RunControl& control) {
   const auto text = [&] {
     switch (cause) {
       case Cause::kVertexLimit: return vertexLimitText(*alike.most, alike.others);
-      case Cause::kConvexParts: return convexPartsText(*alike.most, *alike.mesh, alike.others, single_mesh);
+      case Cause::kConvexParts: return convexPartsText(*alike.most, *alike.mesh, alike.others, single_mesh, control);
       case Cause::kLooseParts: return loosePartsText(*alike.most, alike.others);
       case Cause::kOpenShell: return openShellText(*alike.most, alike.others);
       case Cause::kDetail: return detailText(*alike.most, alike.others);
@@ -163,7 +164,7 @@ std::vector<std::string> notesOnHulls(const RobotResult& result, const RunContro
     if (!alike.most || row.hulls > alike.most->hulls) alike.most = &row, alike.mesh = &mesh;
   }
   std::vector<std::string> notes;
-  for (const auto& [cause, alike] : causes) notes.push_back(noteOn(cause, alike, result.single_mesh));
+  for (const auto& [cause, alike] : causes) notes.push_back(noteOn(cause, alike, result.single_mesh, control));
   if (std::string note = noteOnAll(result.report); !note.empty()) notes.push_back(std::move(note));
   return notes;
 }

@@ -183,7 +183,7 @@ TEST(NotesOnIdle, OfARuleThatKeepsNothing) {
   robot.links[0].name = "base_inertia";
   robot.links[0].collisions = {use("a.stl").source};
   robot.links[1].name = "base";
-  for (const std::string& pattern : {"base", "base_i.*", "base.*", "base|base_inertia"}) {
+  for (const std::string pattern : {"base", "base_i.*", "base.*", "base|base_inertia"}) {
     Options options;
     options.rules = {{pattern, {}, "f.yaml, line 2"}};
     options.rules[0].settings.action = Action::kKeep;

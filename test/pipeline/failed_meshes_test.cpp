@@ -90,7 +90,7 @@ TEST_F(FailedMeshes, LinksWithTheSameLossShareANote) {
                     "failed: nothing collides there; mend the meshes, or add <collision> elements"),
             1)
       << fixtures::joined(notes);
-  EXPECT_EQ(counted("links part0, part1, part2, part3, part4 and 2 more keep their collision elements because one of their meshes failed; "
+  EXPECT_EQ(counted("links part0, part1, part2, part3, part4 and 2 more keep their collision elements because a mesh of each failed; "
                     "hulls of their other meshes are written, but not used"),
             1);
   for (const std::string& note : notes) EXPECT_EQ(note.find("link '"), std::string::npos) << note;

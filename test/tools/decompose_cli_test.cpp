@@ -84,7 +84,7 @@ TEST_F(DecomposeProgram, ALengthAboveTheLargestIsShownAsItWasGiven) {
   for (const std::string input : {"arm/urdf/arm.urdf ", "arm/meshes/bracket.obj "}) {
     expectWrongUse(input + "-t 5,5%", {"tolerance '5,5%' is invalid"});
     expectWrongUse(input + "-t 5", {"--tolerance '5' " + without_unit, "For a larger machine give a percentage"});
-    expectWrongUse(input + "-t 5000mm,5%", {"--tolerance '5000mm,5%' is more than 1 m", "did you mean 5mm?"});
+    expectWrongUse(input + "-t 5000mm,5%", {"--tolerance '5000mm,5%' is more than 1 m", "give a smaller length"});
     expectWrongUse(input + "--tree 5.0", {"--tree '5.0' " + without_unit});
     expectWrongUse(input + "--close-openings 8", {"--close-openings '8' " + without_unit});
     expectWrongUse(input + "--close-openings 8m", {"--close-openings '8m' " + with_unit});

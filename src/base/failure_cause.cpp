@@ -1,3 +1,4 @@
+// Reasons differ where they name a file, a link or a line. Without these, reasons of one cause are the same.
 #include "base/failure_cause.h"
 
 #include "base/counted.h"

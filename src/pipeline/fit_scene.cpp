@@ -32,7 +32,8 @@ namespace {
 
 // Shares of the whole time at which stages end, approximately.
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
-constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
+constexpr double kFittedGap = 0.01;               // of the tolerance, or of the protrusion that the tree states if that is larger
+constexpr std::size_t kMostDisabled = 1'000'000;  // pairs, as many as an SRDF may have
 
 using HeldJoints = std::map<std::string, double>;
 using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
@@ -300,7 +301,8 @@ std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisi
 }
 
 /// Adds pairs of adjacent links of which one keeps its elements: it had no part in the fit, and a planner checks it all the same.
-void addAdjacentOfKept(const RobotDescription& robot, const LinkDecisions& decisions, std::vector<DisabledPair>& disabled) {
+void addAdjacentOfKept(const RobotDescription& robot, const LinkDecisions& decisions, const RunControl& control,
+                       std::vector<DisabledPair>& disabled) {
   const Kinematics kinematics(robot);
   const auto action = [&](const LinkDescription& link) {
     const LinkOptions* const options = decisions.of(link.name);
@@ -311,7 +313,11 @@ void addAdjacentOfKept(const RobotDescription& robot, const LinkDecisions& decis
     return action(link) == Action::kDecompose && !(link.collisions.empty() && link.visuals.empty());
   };
   for (std::size_t a = 0; a < robot.links.size(); ++a) {
+    control.check();
     if (!keeps(robot.links[a])) continue;
+    if (disabled.size() > kMostDisabled)
+      throw Error(ErrorCode::kTooLarge, "more than " + std::to_string(kMostDisabled) +
+                                            " pairs of links are adjacent, of which one is kept; join links that are fixed to each other");
     for (std::size_t b = 0; b < robot.links.size(); ++b) {
       const bool once = is_made(robot.links[b]) || (a < b && keeps(robot.links[b]));
       if (once && kinematics.adjacent(a, b))
@@ -356,7 +362,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
     result.scene = surfaceOf(request.scene);
-    addAdjacentOfKept(robot, decisions.front(), disabled);
+    addAdjacentOfKept(robot, decisions.front(), control, disabled);
     result.extra_files["config/" + robotFileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
     const Totals sums = totals(result.report);
     for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);

@@ -14,6 +14,7 @@
 #include "collision_hulls/report/totals.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "pen.h"
+#include "report/check_text.h"
 
 namespace collision_hulls {
 
@@ -21,11 +22,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "7 hulls", "7 hulls and 2 primitives", "2 primitives"
 std::string bodiesOf(const Report& report) {
   const Totals sums = totals(report);
-  if (sums.primitives == 0) return counted(sums.hulls, "hull");
-  return (sums.hulls > 0 ? counted(sums.hulls, "hull") + " and " : "") + counted(sums.primitives, "primitive");
+  return countedBodies(sums.hulls, sums.primitives);
 }
 
 /// Where the quotation or the indented line ends that begins at `at`; `at` if none does.

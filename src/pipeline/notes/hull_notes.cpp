@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "base/counted.h"
 #include "base/millimetres.h"
@@ -40,11 +41,17 @@ bool isLoose(const ElementReport& row) {
   return row.repair.components >= kManyParts && row.hulls >= kManyParts;
 }
 
-/// Such as the output of another program that decomposes meshes.
-bool isConvexModel(const ElementReport& row, const TriangleMesh& mesh, const RunControl& control) {
-  if (row.openings > 0 || mesh.triangles.size() > kMostOfModel) return false;
+/// How many parts a mesh has that are convex, and others.
+struct PartCounts {
+  std::size_t convex = 0, others = 0;
+};
+
+/// Of a mesh such as the output of another program that decomposes meshes; nullopt: it is none.
+std::optional<PartCounts> convexModel(const ElementReport& row, const TriangleMesh& mesh, const RunControl& control) {
+  if (row.openings > 0 || mesh.triangles.size() > kMostOfModel) return std::nullopt;
   const ConvexParts parts = convexParts(mesh, control);
-  return parts.hulls.size() >= kManyParts && kOthersOfModel * parts.rest.triangles.size() <= mesh.triangles.size();
+  if (parts.hulls.size() < kManyParts || kOthersOfModel * parts.rest.triangles.size() > mesh.triangles.size()) return std::nullopt;
+  return PartCounts{parts.hulls.size(), parts.rest_parts};
 }
 
 /// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Closing a
@@ -55,10 +62,15 @@ bool isOpenShell(const ElementReport& row) {
          (row.volume < kHollow * row.hull_volume || row.widest_opening > kWide * row.diagonal);
 }
 
-Cause causeOf(const ElementReport& row, const TriangleMesh& mesh, const RunControl& control) {
+/// `parts`: those of a mesh of convex parts.
+Cause causeOf(const ElementReport& row, const TriangleMesh& mesh, const RunControl& control, PartCounts& parts) {
   if (!followsTolerance(row)) return Cause::kNone;
   if (isLimited(row)) return Cause::kVertexLimit;
-  if (isLoose(row)) return isConvexModel(row, mesh, control) ? Cause::kConvexParts : Cause::kLooseParts;
+  if (isLoose(row)) {
+    const std::optional<PartCounts> counts = convexModel(row, mesh, control);
+    parts = counts.value_or(PartCounts());
+    return counts ? Cause::kConvexParts : Cause::kLooseParts;
+  }
   if (isOpenShell(row)) return Cause::kOpenShell;
   return row.hulls >= kManyHulls ? Cause::kDetail : Cause::kNone;
 }
@@ -66,7 +78,7 @@ Cause causeOf(const ElementReport& row, const TriangleMesh& mesh, const RunContr
 /// Meshes with the same cause: the first of those with most hulls, and how many others there are.
 struct Alike {
   const ElementReport* most = nullptr;
-  const TriangleMesh* mesh = nullptr;  // of that one
+  PartCounts parts;  // of that one
   std::size_t others = 0;
 };
 
@@ -83,12 +95,10 @@ std::string vertexLimitText(const ElementReport& row, std::size_t others) {
          ": with more, as in --max-vertices 256, or without a limit (0), far fewer may do";
 }
 
-std::string convexPartsText(const ElementReport& row, const TriangleMesh& mesh, std::size_t others, bool single_mesh,
-                            const RunControl& control) {
-  const ConvexParts parts = convexParts(mesh, control);
-  return "already consists of " + counted(parts.hulls.size(), "convex part") +
-         (parts.rest_parts > 0 ? " and " + counted(parts.rest_parts, "other") : "") + ", and " + took(row) + likeIt(others) +
-         ": use it as it is" + (single_mesh ? "" : " ('keep' in a configuration)") + ", or give a larger tolerance for fewer hulls";
+std::string convexPartsText(const ElementReport& row, const PartCounts& parts, std::size_t others, bool single_mesh) {
+  return "already consists of " + counted(parts.convex, "convex part") +
+         (parts.others > 0 ? " and " + counted(parts.others, "other") : "") + ", and " + took(row) + likeIt(others) + ": use it as it is" +
+         (single_mesh ? "" : " ('keep' in a configuration)") + ", or give a larger tolerance for fewer hulls";
 }
 
 std::string loosePartsText(const ElementReport& row, std::size_t others) {
@@ -120,11 +130,11 @@ std::string detailText(const ElementReport& row, std::size_t others) {
          "; so does a limit, as in --max-hulls 16";
 }
 
-std::string noteOn(Cause cause, const Alike& alike, bool single_mesh, const RunControl& control) {
+std::string noteOn(Cause cause, const Alike& alike, bool single_mesh) {
   const auto text = [&] {
     switch (cause) {
       case Cause::kVertexLimit: return vertexLimitText(*alike.most, alike.others);
-      case Cause::kConvexParts: return convexPartsText(*alike.most, *alike.mesh, alike.others, single_mesh, control);
+      case Cause::kConvexParts: return convexPartsText(*alike.most, alike.parts, alike.others, single_mesh);
       case Cause::kLooseParts: return loosePartsText(*alike.most, alike.others);
       case Cause::kOpenShell: return openShellText(*alike.most, alike.others);
       case Cause::kDetail: return detailText(*alike.most, alike.others);
@@ -156,15 +166,15 @@ std::vector<std::string> notesOnHulls(const RobotResult& result, const RunContro
   std::map<Cause, Alike> causes;
   for (std::size_t i = 0; i < result.elements.size(); ++i) {
     const ElementReport& row = result.report.links[i];
-    const TriangleMesh& mesh = result.elements[i].original;
-    const Cause cause = causeOf(row, mesh, control);
+    PartCounts parts;
+    const Cause cause = causeOf(row, result.elements[i].original, control, parts);
     if (cause == Cause::kNone) continue;
     Alike& alike = causes[cause];
     if (alike.most) ++alike.others;
-    if (!alike.most || row.hulls > alike.most->hulls) alike.most = &row, alike.mesh = &mesh;
+    if (!alike.most || row.hulls > alike.most->hulls) alike.most = &row, alike.parts = parts;
   }
   std::vector<std::string> notes;
-  for (const auto& [cause, alike] : causes) notes.push_back(noteOn(cause, alike, result.single_mesh, control));
+  for (const auto& [cause, alike] : causes) notes.push_back(noteOn(cause, alike, result.single_mesh));
   if (std::string note = noteOnAll(result.report); !note.empty()) notes.push_back(std::move(note));
   return notes;
 }

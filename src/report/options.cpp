@@ -120,26 +120,18 @@ std::string shortestLength(double metres) {
   return best;
 }
 
-void checkUnit(const std::string& option, const Length& length, const std::string& otherwise = "") {
-  if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
-  throw Error(ErrorCode::kBadOption,
-              option + " '" + toString(length) + "' is more than " + decimal(kLargestTolerance) +
-                  " m, the largest that makes sense for a mesh: a number without a unit is in metres; did you mean " +
-                  toString(lengthOf(length.limit / 1000)) + "?" + otherwise);
-}
-
 void checkLength(const std::string& option, const Length& length) {
   const char* const allowed = "a length above 0, a percentage above 0% and up to 100%, or both";
   if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
   if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, decimal(length.limit) + "m", allowed);
   if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, decimal(100 * length.share) + "%", allowed);
-  checkUnit(option, length, " For a larger machine give a percentage, such as 5%");
+  expectUnit(option, toString(length), length.limit, false, " For a larger machine give a percentage, such as 5%");
 }
 
 /// Of a padding or an opening.
 void checkPositiveLength(const std::string& option, double metres) {
   if (!(std::isfinite(metres) && metres > 0)) badOption(option, decimal(metres) + "m", "0 or a positive length");
-  checkUnit(option, lengthOf(metres));
+  expectUnit(option, toString(lengthOf(metres)), metres, false);
 }
 
 /// Models become files of their own.
@@ -205,6 +197,18 @@ std::string choicesOf(const std::vector<T>& all) {
 }
 
 }  // namespace
+
+void expectUnit(const std::string& option, const std::string& text, double metres, bool has_unit, const std::string& otherwise) {
+  if (!isSet(metres) || metres <= kLargestTolerance) return;
+  const bool is_metres = text.find_first_of("ci") == std::string::npos && text.find("mm") == std::string::npos;
+  const double thousandth = metres / 1000;
+  throw Error(ErrorCode::kBadOption,
+              option + " '" + text + "' is more than " + decimal(kLargestTolerance) + " m, the largest that makes sense for a mesh" +
+                  (has_unit ? "" : ": a number without a unit is in metres") +
+                  (is_metres && thousandth <= kLargestTolerance ? "; did you mean " + toString(lengthOf(thousandth)) + "?"
+                                                                : "; give a smaller length, as in 5mm.") +
+                  otherwise);
+}
 
 Length parseLength(const std::string& text, const std::string& option) {
   const std::size_t comma = text.find(',');

@@ -100,7 +100,8 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_
     for (int v : t) box_.extend(mesh.vertices[static_cast<std::size_t>(v)]);
   }
   centre_ = box_.center();
-  unit_ = extent() > 0 ? extent() : 1;
+  const double size = box_.sizes().maxCoeff();
+  unit_ = size > 0 ? std::exp2(std::ilogb(size)) : 1;  // a power of two, by which numbers are divided exactly
   std::vector<Item> items;
   enlarge(items, n, control);
   for (std::size_t t = 0; t < n; ++t) {

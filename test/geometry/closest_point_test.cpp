@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "random_points.h"
+#include "shapes.h"
 
 namespace collision_hulls {
 namespace {
@@ -71,6 +73,25 @@ TEST(ClosestPoint, IsExactForTrianglesOfAnyThinness) {
       if (i % 3 == 2) p.z() *= h;
       expectExact(pose, x, h, p, i % 2 ? 1 : 1e-3);
     }
+}
+
+// Of a box's distance, single precision has few digits left where all that matters is far from the middle.
+TEST(TriangleBvh, NearestOfSheetsThatAreFarOutAndCloseTogether) {
+  RandomPoints random(4);
+  for (const double size : {1e-3, 1.0, 1e3, 1e39}) {
+    const TriangleMesh sheet = scaled(test_shapes::singleTriangle(), Vector3d::Constant(size));
+    const auto height = [&] { return size * (1 - 4e-6 * random.number(0, 1)); };
+    TriangleMesh mesh = sheet;
+    for (int i = 0; i < 40; ++i) append(mesh, test_shapes::moved(sheet, {0, 0, height()}));
+    const TriangleBvh bvh(mesh);
+    for (int i = 0; i < 1000; ++i) {
+      const Vector3d p(0.2 * size, 0.2 * size, height());
+      double least = std::numeric_limits<double>::infinity();
+      for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+        least = std::min(least, distanceTo(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), p));
+      EXPECT_EQ(bvh.nearest(p).distance, least) << size;
+    }
+  }
 }
 
 }  // namespace

@@ -13,9 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/positive_length.h"
@@ -29,6 +31,7 @@
 #include "decompose/margin.h"
 #include "decompose/padding.h"
 #include "measure/protrusion.h"
+#include "mesh/polygons.h"
 
 namespace collision_hulls {
 namespace {
@@ -199,7 +202,8 @@ std::optional<std::size_t> exceededRegion(const CertifiedHulls& hulls, const Dec
 /// Why hulls protrude further than the tolerance, and what to do about it.
 std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
-    return std::string(name(options.method)) + " ignores the tolerance; use another method";
+    return std::string(name(options.method)) +
+           " ignores the tolerance; if that is too far, use certified, and if it is not, raise the tolerance";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
   if (!made.result.untried.empty()) return "time ran out (not done: " + made.result.untried + "); raise the time limit or the tolerance";
   if (made.too_fine && !made.capped)
@@ -257,6 +261,17 @@ void expectPadded(const std::vector<ConvexHull>& hulls, const std::vector<Convex
                                             (name.empty() ? "" : " '" + name + "'"));
 }
 
+/// Hulls are made of numbers of single precision, as the meshes that are read from files are.
+void expectSinglePrecision(const TriangleMesh& mesh, const std::string& name) {
+  const Eigen::AlignedBox3d box = boundingBox(mesh);
+  const double largest = box.isEmpty() ? 0 : box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const std::string label = name.empty() ? "" : "'" + name + "'";
+  if (largest > std::numeric_limits<float>::max())
+    throw Error(ErrorCode::kNonFiniteCoordinate, (name.empty() ? "the mesh" : label) + " has the coordinate " + decimal(largest) +
+                                                     ", which is not a finite number of single precision; correct or remove its vertex");
+  singlePrecisionResolution(mesh, largest, label);
+}
+
 /// kRegionSlack is for everyone, also on the largest meshes.
 void expectResolvableTolerances(const PreparedMesh& mesh, const DecomposeOptions& options) {
   const double size = diagonal(mesh.original);
@@ -295,6 +310,7 @@ void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hull
 CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   checkTolerance(options);
   check(mesh.original, control);
+  expectSinglePrecision(mesh.original, mesh.name);
   expectMargin(mesh.margin, mesh.repaired.counts.weld_distance);
   expectResolvableTolerances(mesh, options);
   RunControl decomposing, certifying;

@@ -36,7 +36,8 @@ double singlePrecisionResolution(const TriangleMesh& mesh, double largest, const
       std::ldexp(1.0, std::max(std::ilogb(largest), std::numeric_limits<float>::min_exponent - 1) - std::numeric_limits<float>::digits);
   const double size = diagonal(mesh);
   if (size > 0 && result > kCoarsestResolution * size)
-    throw Error(ErrorCode::kTooFarFromOrigin, path + ": the mesh is " + decimal(size, 4) + " m across and up to " + decimal(largest, 4) +
+    throw Error(ErrorCode::kTooFarFromOrigin, (path.empty() ? "" : path + ": ") + "the mesh is " + decimal(size, 4) +
+                                                  " m across and up to " + decimal(largest, 4) +
                                                   " m away from its origin, where single precision resolves only " + decimal(result, 4) +
                                                   " m; move the mesh to its origin");
   return result;

@@ -15,7 +15,7 @@ namespace collision_hulls {
 constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
 
 /// What the largest single-precision number of a mesh leaves unknown: LoadedMesh::resolution. `largest` [m] is the largest number that
-/// single precision rounded. Throws kTooFarFromOrigin.
+/// single precision rounded. `path`: of the mesh, for the message; may be empty. Throws kTooFarFromOrigin.
 double singlePrecisionResolution(const TriangleMesh& mesh, double largest, const std::string& path);
 
 /// Throws kNonFiniteCoordinate.

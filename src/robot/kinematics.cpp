@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
@@ -16,6 +17,7 @@ namespace {
 using Kind = JointDescription::Kind;
 
 constexpr double kBeyondLimit = 1e-6;              // of the limits' size: what decimal text may have rounded away
+constexpr double kUnitLength = 1e-9;               // of an axis: what rounding may add or take away
 constexpr std::size_t kMostUnsettled = 1'000'000;  // joints above links, in all
 
 /// Within limits that are those of no mechanism, such as the largest number.
@@ -94,6 +96,30 @@ void expectRange(const JointDescription& joint, const Drive& drive, const JointV
                                          "; correct the numbers of its <mimic>");
 }
 
+[[noreturn]] void refuse(const std::string& text) {
+  throw Error(ErrorCode::kNotARobot, text);
+}
+
+/// The links by their names. Throws kNotARobot unless each joint leads down, to a link that no joint before it names. What is read from a
+/// URDF is like that.
+std::map<std::string, std::size_t> linksInTree(const RobotDescription& robot) {
+  std::map<std::string, std::size_t> links;
+  for (std::size_t i = 0; i < robot.links.size(); ++i)
+    if (!links.emplace(robot.links[i].name, i).second) refuse("link '" + robot.links[i].name + "' appears twice; rename one of them");
+  std::set<std::string> joints, named;
+  for (const JointDescription& joint : robot.joints) {
+    const std::string who = "joint '" + joint.name + "' ";
+    if (!joints.insert(joint.name).second) refuse(who + "appears twice; rename one of them");
+    for (const std::string* const link : {&joint.parent, &joint.child})
+      if (links.count(*link) == 0) refuse(who + "names link '" + *link + "', which the robot does not have; correct it, or add the link");
+    named.insert(joint.parent);
+    if (!named.insert(joint.child).second)
+      refuse(who + "leads to link '" + joint.child + "', which is its parent or that of a joint before it, or has a joint already; give " +
+             "each link one joint that leads to it, those nearest to the root first");
+  }
+  return links;
+}
+
 }  // namespace
 
 bool withinLimits(const JointVariable& variable, double value) {
@@ -137,8 +163,7 @@ double restValue(const JointDescription& joint) {
 }
 
 Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size()), parent_(links_) {
-  std::map<std::string, std::size_t> link_index;
-  for (std::size_t i = 0; i < links_; ++i) link_index[robot.links[i].name] = i;
+  const std::map<std::string, std::size_t> link_index = linksInTree(robot);
   Drives drives(robot.joints);
   std::map<std::string, int> variable_index;
   for (const JointDescription& joint : robot.joints) {
@@ -313,6 +338,11 @@ void Kinematics::check(const JointDescription& joint) const {
   const std::string who = "joint '" + joint.name + "' ";
   if (isFarAway(joint.origin.translation()))
     throw Error(ErrorCode::kNotARobot, who + "has an origin more than 1000 km away; correct its <origin>");
+  if (!std::isfinite(joint.lower) || !(joint.lower <= joint.upper) || !std::isfinite(joint.upper))
+    refuse(who + "has the limits " + decimal(joint.lower) + " and " + decimal(joint.upper) +
+           "; give finite ones that do not cross, both 0 where there are none");
+  if (canMove(joint) && !(std::abs(joint.axis.norm() - 1) <= kUnitLength))
+    refuse(who + "has an axis of length " + decimal(joint.axis.norm()) + "; give one of length 1");
 }
 
 }  // namespace collision_hulls

@@ -87,6 +87,9 @@ TEST(CertifiedHulls, RefusesWhatItCannotCertify) {
   TriangleMesh wrong = box;
   wrong.triangles[0][0] = 99;
   expectError(ErrorCode::kIndexOutOfRange, "", [&] { certifiedHulls(wrong, within(0.1)); });
+  const TriangleMesh far = test_shapes::moved(box, {1e6, 0, 0}), vast = scaled(box, Eigen::Vector3d::Constant(1e39));
+  expectError(ErrorCode::kTooFarFromOrigin, "move the mesh to its origin", [&] { certifiedHulls(far, within(0.1)); });
+  expectError(ErrorCode::kNonFiniteCoordinate, "single precision", [&] { certifiedHulls(vast, within(1e38)); });
   const RunControl control;
   control.cancel();
   expectError(ErrorCode::kCancelled, "", [&] { certifiedHulls(box, within(0.1), control); });
@@ -155,7 +158,7 @@ TEST(CertifiedHulls, SayHowFarASingleHullProtrudes) {
   EXPECT_FALSE(result.within_tolerance);
   EXPECT_EQ(result.reason,
             "the hulls protrude by up to 80.04 mm, more than the tolerance of 10 mm: single_hull ignores the tolerance; "
-            "use another method");
+            "if that is too far, use certified, and if it is not, raise the tolerance");
 }
 
 TEST(CertifiedHulls, AreThreeForAChannel) {

@@ -36,6 +36,22 @@ TEST(HullTree, RejectsUnusableInput) {
     EXPECT_EQ(code(box, tolerance), ErrorCode::kBadOption);
 }
 
+TEST(HullTree, IgnoresTheMethod) {
+  const RepairedMesh mesh = repair(test_shapes::box(1, 1, 1));
+  DecomposeOptions options = within(0.1);
+  options.fill = true;
+  options.effort = Effort::kBest;
+  const std::size_t nodes = hullTree(mesh, options).nodes.size();
+  for (const Method method : {Method::kHacd, Method::kSingleHull, static_cast<Method>(99)}) {
+    options.method = method;
+    EXPECT_EQ(hullTree(mesh, options).nodes.size(), nodes);
+    EXPECT_EQ(certified(mesh, options).hulls.size(), 1u);
+    options.tolerance = 0;
+    EXPECT_THROW(hullTree(mesh, options), Error);
+    options.tolerance = 0.1;
+  }
+}
+
 /// Children precede parents, each has one parent, bounds never decrease on the way up, and the root comes last.
 void expectSound(const HullTree& tree) {
   const int size = static_cast<int>(tree.nodes.size());

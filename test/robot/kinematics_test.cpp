@@ -160,6 +160,32 @@ TEST(Kinematics, MimicsOfNothing) {
   expectError(ErrorCode::kNotARobot, {"back to itself"}, make(links(3) + mimic(0, "j1") + mimic(1, "j0")));
 }
 
+/// Readers make none of these.
+TEST(Kinematics, DescriptionsMadeByHandAreATreeToo) {
+  const RobotDescription sound =
+      robot(links(3) + joint(0, "revolute", limit(-1, 1)) + joint(1, "revolute", limit(-1, 1) + "<mimic joint=\"j0\"/>"));
+  EXPECT_NO_THROW(Kinematics{sound});
+  const auto refused = [&](const std::vector<std::string>& parts, const std::function<void(RobotDescription&)>& change) {
+    RobotDescription wrong = sound;
+    change(wrong);
+    expectError(ErrorCode::kNotARobot, parts, [&] { Kinematics{wrong}; });
+  };
+  refused({"joint 'j1' names link 'l9'", "add the link"}, [](RobotDescription& r) { r.joints[1].child = "l9"; });
+  refused({"joint 'j0' names link ''"}, [](RobotDescription& r) { r.joints[0].parent.clear(); });
+  refused({"'j1' mimics 'j9'"}, [](RobotDescription& r) { r.joints[1].mimic = "j9"; });
+  refused({"joint 'j1' leads to link 'l0'", "one joint"}, [](RobotDescription& r) { r.joints[1].child = "l0"; });
+  refused({"joint 'j1' leads to link 'l1'"}, [](RobotDescription& r) { r.joints[1].parent = "l2", r.joints[1].child = "l1"; });
+  refused({"joint 'j0' leads to link 'l0'"}, [](RobotDescription& r) { r.joints[0].child = "l0"; });
+  refused({"joint 'j0' leads to link 'l1'", "nearest to the root first"}, [](RobotDescription& r) { std::swap(r.joints[0], r.joints[1]); });
+  refused({"link 'l1' appears twice"}, [](RobotDescription& r) { r.links[2].name = "l1"; });
+  refused({"joint 'j0' appears twice"}, [](RobotDescription& r) { r.joints[1].name = "j0"; });
+  refused({"joint 'j0' has the limits 1 and -1"}, [](RobotDescription& r) { std::swap(r.joints[0].lower, r.joints[0].upper); });
+  refused({"joint 'j0' has the limits nan and 1"}, [](RobotDescription& r) { r.joints[0].lower = std::nan(""); });
+  refused({"joint 'j0' has the limits -1 and inf"},
+          [](RobotDescription& r) { r.joints[0].upper = std::numeric_limits<double>::infinity(); });
+  refused({"joint 'j0' has an axis of length 2"}, [](RobotDescription& r) { r.joints[0].axis *= 2; });
+}
+
 TEST(Kinematics, NamedValues) {
   const Kinematics kinematics(robot(links(4) + joint(0, "revolute", limit(-1, 1)) + joint(1, "continuous") + joint(2, "fixed")));
   EXPECT_EQ(kinematics.configuration({}), kinematics.rest());

@@ -22,7 +22,8 @@ namespace collision_hulls {
 
 /// The hulls of steps 1 to 3; if their number is limited, those of a cut of the tree or of a cover
 /// at a larger tolerance, whichever protrude less. A hull exceeds the tolerance only if its piece
-/// could not be split or a limit forces it to. Throws as decompose().
+/// could not be split or a limit forces it to. `method` is ignored. Throws as decompose() with this
+/// method.
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options,
                         const RunControl& control = {});
 

@@ -77,10 +77,12 @@ struct CertifiedHulls {
 /// certified gives the best that it has by then; the search gets most of that time and the proof
 /// the rest, but cover, rounding and a first bound take what they take.
 ///
-/// Throws what repair() throws; kEmptyMesh for a mesh without triangles; kBadOption as check() of
-/// the options, for a tolerance that is not a positive length or below a millionth of the mesh's
-/// diagonal (also with a method that ignores it), and for one of a region that is below both that
-/// and kRegionSlack; kCancelled; kInternal if the result should fail its own check.
+/// Throws what repair() throws; kEmptyMesh for a mesh without triangles; kNonFiniteCoordinate and
+/// kTooFarFromOrigin for one that single precision cannot hold or resolve, as readMesh();
+/// kBadOption as check() of the options, for a tolerance that is not a positive length or below a
+/// millionth of the mesh's diagonal (also with a method that ignores it), and for one of a region
+/// that is below both that and kRegionSlack; kCancelled; kInternal if the result should fail its
+/// own check.
 CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options,
                               const RunControl& control = {});
 

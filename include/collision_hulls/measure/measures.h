@@ -52,8 +52,9 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
 double unionVolume(const std::vector<ConvexHull>& hulls, const RunControl& control = {});
 
 /// The share of the inside of S that lies in the hulls, assuming they cover its surface; by 20,000
-/// samples of the same sequence in their bounding box. 1 for a solid without an inside. What is
-/// missing lies deep inside, where hulls of pieces of the surface do not reach. Throws kCancelled.
+/// samples of the same sequence in their bounding box. 1 for a solid without an inside, and without
+/// hulls, which cover no solid's surface. What is missing lies deep inside, where hulls of pieces
+/// of the surface do not reach. Throws kCancelled.
 double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid,
                     const RunControl& control = {});
 

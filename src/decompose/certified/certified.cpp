@@ -394,7 +394,8 @@ LowerBound boundOf(const RepairedMesh& mesh, const Solid& solid, const Decompose
   });
 }
 
-void check(const RepairedMesh& mesh, const DecomposeOptions& options) {
+void check(const RepairedMesh& mesh, DecomposeOptions options) {
+  options.method = Method::kCertified;  // whatever the caller has there
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a cover or a hull tree needs at least one");

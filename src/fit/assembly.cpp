@@ -29,12 +29,12 @@ Assembly::Assembly(const FitProblem& problem, std::uint64_t seed, const RunContr
     if (!tree) tree = std::make_shared<const DetailTree>(element.mesh);
     pieces_.push_back({element.link, element.origin, tree});
   }
-  const auto add = [&](std::size_t part, const QueryBody& body) {
-    pieces_.push_back({part, Eigen::Isometry3d::Identity(), std::make_shared<const DetailTree>(body)});
+  const auto add = [&](std::size_t part, const auto& body) {
+    const QueryBody query = std::visit([&](const auto& shape) { return queryBodyOf(shape, control); }, body.shape);
+    pieces_.push_back({part, Eigen::Isometry3d::Identity(), std::make_shared<const DetailTree>(query)});
   };
-  for (const KeptBody& kept : problem.kept) add(kept.link, QueryBody(kept.hull));
-  for (std::size_t i = 0; i < problem.scene.bodies.size(); ++i)
-    add(links() + i, std::visit([&](const auto& shape) { return queryBodyOf(shape, control); }, problem.scene.bodies[i].shape));
+  for (const KeptBody& kept : problem.kept) add(kept.link, kept);
+  for (std::size_t i = 0; i < problem.scene.bodies.size(); ++i) add(links() + i, problem.scene.bodies[i]);
   for (std::size_t i = 0; i < pieces_.size(); ++i) of_part_[pieces_[i].part].push_back(static_cast<int>(i));
   std::vector<Eigen::AlignedBox3d> boxes;
   for (std::size_t part = links(); part < parts(); ++part) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "collision_hulls/fit/fit.h"
@@ -25,6 +26,12 @@ struct Piece {
 
 /// For each piece, the nodes of its tree that represent it.
 using Cuts = std::vector<std::vector<int>>;
+
+/// The corners of a body's shape, in its own frame.
+template <class Body>
+const std::vector<Eigen::Vector3d>& verticesOf(const Body& body) {
+  return std::visit([](const auto& shape) -> const std::vector<Eigen::Vector3d>& { return shape.vertices; }, body.shape);
+}
 
 /// A pose for each part, in the scene's frame. There may be tens of thousands of bodies, which do not move: their poses stay in the scene.
 class Places {

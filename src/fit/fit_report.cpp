@@ -165,6 +165,14 @@ std::vector<PairHits> selfPhantoms(const std::map<PartIndices, PairHits>& of_pai
   return hits;
 }
 
+/// Of a link and a body of the scene: the pair whose originals collide in most samples, and in how many; empty: none do.
+std::string mostSceneHits(const std::map<PartIndices, PairHits>& of_pairs) {
+  const PairHits* most = nullptr;
+  for (const auto& each : of_pairs)
+    if (const PairHits& pair = each.second; !pair.links && pair.original > (most ? most->original : 0)) most = &pair;
+  return most ? most->first + " against " + most->second + ", in " + std::to_string(most->original) : "";
+}
+
 /// The pairs of parts in contact.
 std::set<PartIndices> pairsOf(const FittedModel& model, const std::vector<Contact>& contacts) {
   std::set<PartIndices> pairs;
@@ -310,6 +318,7 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   report.leaf_contact = worstLeafContacts(model);
   report.scene_hits = counted.scene;
   report.first_scene_hit = counted.first_in_scene;
+  report.most_scene_hits = mostSceneHits(counted.pairs);
   report.scene_contact = contactAtRest(model);
   report.self = selfPhantoms(counted.pairs);
   report.left_out = model.rules.left_out;

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/looks.h"
+#include "fit/assembly.h"
 #include "reach/reach_ball.h"
 
 namespace collision_hulls {
@@ -23,7 +24,7 @@ std::vector<double> radii(const FitProblem& problem) {
   for (const FitElement& element : problem.elements)
     for (const Eigen::Vector3d& v : element.mesh->original.vertices) extend(element.link, element.origin * v);
   for (const KeptBody& kept : problem.kept)
-    for (const Eigen::Vector3d& v : kept.hull.vertices) extend(kept.link, v);
+    for (const Eigen::Vector3d& v : verticesOf(kept)) extend(kept.link, v);
   return result;
 }
 

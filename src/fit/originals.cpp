@@ -41,9 +41,11 @@ Originals::Originals(const FitProblem& problem, const Assembly& assembly, const 
     const QueryBody& body = meshes.try_emplace(&mesh, mesh.original, control).first->second;
     of_part_[element.link].push_back({body, element.origin, mesh.solid.get(), nullptr, mesh.solid->componentPoints()});
   }
-  for (const KeptBody& kept : problem.kept) of_part_[kept.link].push_back(bodyOf(kept.hull, control));
-  for (std::size_t i = 0; i < problem.scene.bodies.size(); ++i)
-    std::visit([&](const auto& shape) { of_part_[assembly.links() + i].push_back(bodyOf(shape, control)); }, problem.scene.bodies[i].shape);
+  const auto add = [&](std::size_t part, const auto& body) {
+    of_part_[part].push_back(std::visit([&](const auto& shape) { return bodyOf(shape, control); }, body.shape));
+  };
+  for (const KeptBody& kept : problem.kept) add(kept.link, kept);
+  for (std::size_t i = 0; i < problem.scene.bodies.size(); ++i) add(assembly.links() + i, problem.scene.bodies[i]);
 }
 
 bool Originals::touch(std::size_t a, std::size_t b, const Places& places) const {

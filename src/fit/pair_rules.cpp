@@ -127,8 +127,8 @@ ConvexHull hullOfLink(const FitProblem& problem, const Assembly& assembly, std::
   std::vector<Eigen::Vector3d> points;
   for (const int piece : assembly.piecesOf(link)) {
     const auto i = static_cast<std::size_t>(piece);
-    const ConvexHull& hull = i < roots.size() ? roots[i] : problem.kept[i - roots.size()].hull;
-    for (const Eigen::Vector3d& v : hull.vertices) points.push_back(assembly.pieces()[i].origin * v);
+    for (const Eigen::Vector3d& v : i < roots.size() ? roots[i].vertices : verticesOf(problem.kept[i - roots.size()]))
+      points.push_back(assembly.pieces()[i].origin * v);
   }
   return points.empty() ? ConvexHull() : convexHull(points);
 }

@@ -14,7 +14,6 @@
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
-#include "collision_hulls/report/totals.h"
 #include "collision_hulls/robot/kinematics.h"
 #include "fit/enclosing.h"
 #include "pipeline/collision_model.h"
@@ -24,6 +23,7 @@
 #include "pipeline/scene/fit_notes.h"
 #include "pipeline/scene/fit_refusals.h"
 #include "pipeline/scene/held_joints.h"
+#include "pipeline/scene/kept_bodies.h"
 #include "pipeline/stages.h"
 #include "storage/names.h"
 
@@ -32,8 +32,7 @@ namespace {
 
 // Shares of the whole time at which stages end, approximately.
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
-constexpr double kFittedGap = 0.01;               // of the tolerance, or of the protrusion that the tree states if that is larger
-constexpr std::size_t kMostDisabled = 1'000'000;  // pairs, as many as an SRDF may have
+constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
 
 using HeldJoints = std::map<std::string, double>;
 using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
@@ -117,25 +116,6 @@ void failSiblings(FitMeshes& meshes, Run& run) {
   }
 }
 
-/// The primitives of all links that are decomposed, except absent ones. Primitives without a valid size, such as dummies, only give a note.
-std::vector<KeptBody> keptBodies(const RobotDescription& robot, const LinkDecisions& decisions, const std::set<std::string>& absent,
-                                 std::vector<std::string>& notes) {
-  std::vector<KeptBody> kept;
-  for (std::size_t link = 0; link < robot.links.size(); ++link) {
-    const LinkOptions* const options = decisions.of(robot.links[link].name);
-    if (!options || absent.count(robot.links[link].name)) continue;
-    for (const GeometryElement& element : sourceElements(robot.links[link], options->source).elements) {
-      if (element.kind == GeometryElement::Kind::kMesh || element.kind == GeometryElement::Kind::kNone) continue;
-      try {
-        kept.push_back({link, hullAbout(element)});
-      } catch (const Error& error) {
-        notes.push_back("link '" + robot.links[link].name + "': " + error.what() + "; this primitive is ignored");
-      }
-    }
-  }
-  return kept;
-}
-
 /// What is fitted.
 struct FittedUses {
   FitProblem problem;
@@ -143,9 +123,10 @@ struct FittedUses {
   std::vector<std::string> notes;
 };
 
-/// The problem of fitting the meshes of all links without a failed mesh, and without those that are kept or removed.
-FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request, const HeldJoints& held,
-                     const FitMeshes& meshes, const Run& run) {
+/// The problem of fitting the meshes of all links without a failed mesh, beside what stays as it is.
+FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisions, const PackageFinder& find_package,
+                     const SceneRequest& request, const HeldJoints& held, const FitMeshes& meshes, const Run& run,
+                     const RunControl& control) {
   FittedUses fitted{{withJointsHeld(robot, held),
                      {},
                      {},
@@ -166,7 +147,7 @@ FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisio
     fitted.problem.elements.push_back({use.link + "/" + std::to_string(use.element), link_index[use.link], use.source.origin, meshes[i]});
     fitted.uses.push_back(i);
   }
-  fitted.problem.kept = keptBodies(robot, decisions, absent, fitted.notes);
+  fitted.problem.kept = keptBodies(robot, decisions, absent, find_package, run.options, fitted.notes, control);
   return fitted;
 }
 
@@ -281,16 +262,17 @@ std::set<std::string> cappedLinks(const FittedUses& fitted, const SceneFit& fit,
 }
 
 /// All stages. Fills the report's scene, unless every link has a failed mesh. Returns the pairs of links that the fit disables.
-std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request,
-                                 const HeldJoints& held, const FitOptions& options, std::vector<std::string>& notes, Run& run) {
+std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisions& decisions, const PackageFinder& find_package,
+                                 const SceneRequest& request, const HeldJoints& held, const FitOptions& options,
+                                 std::vector<std::string>& notes, Run& run) {
   FitMeshes meshes = fitMeshes(run);
   failSiblings(meshes, run);
-  const FittedUses fitted = problemOf(robot, decisions, request, held, meshes, run);
-  notes.insert(notes.end(), fitted.notes.begin(), fitted.notes.end());
-  if (fitted.problem.elements.empty()) return {};
   RunControl fitting;
   run.progress.begin("fit", kFitEnd);
   run.progress.follow(fitting, 0);
+  const FittedUses fitted = problemOf(robot, decisions, find_package, request, held, meshes, run, fitting);
+  notes.insert(notes.end(), fitted.notes.begin(), fitted.notes.end());
+  if (fitted.problem.elements.empty()) return {};
   SceneFit fit = fitScene(fitted.problem, options, fitting);
   if (const std::string note = noteOnCap(fit.report, cappedLinks(fitted, fit, run)); !note.empty()) notes.push_back(note);
   certifyAll(fitted, fit, run);
@@ -298,32 +280,6 @@ std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisi
   run.report.scene = std::move(fit.report);
   run.report.scene->held = held;
   return fit.disabled;
-}
-
-/// Adds pairs of adjacent links of which one keeps its elements: it had no part in the fit, and a planner checks it all the same.
-void addAdjacentOfKept(const RobotDescription& robot, const LinkDecisions& decisions, const RunControl& control,
-                       std::vector<DisabledPair>& disabled) {
-  const Kinematics kinematics(robot);
-  const auto action = [&](const LinkDescription& link) {
-    const LinkOptions* const options = decisions.of(link.name);
-    return options ? options->action : Action::kKeep;
-  };
-  const auto keeps = [&](const LinkDescription& link) { return action(link) == Action::kKeep && !link.collisions.empty(); };
-  const auto is_made = [&](const LinkDescription& link) {
-    return action(link) == Action::kDecompose && !(link.collisions.empty() && link.visuals.empty());
-  };
-  for (std::size_t a = 0; a < robot.links.size(); ++a) {
-    control.check();
-    if (!keeps(robot.links[a])) continue;
-    if (disabled.size() > kMostDisabled)
-      throw Error(ErrorCode::kTooLarge, "more than " + std::to_string(kMostDisabled) +
-                                            " pairs of links are adjacent, of which one is kept; join links that are fixed to each other");
-    for (std::size_t b = 0; b < robot.links.size(); ++b) {
-      const bool once = is_made(robot.links[b]) || (a < b && keeps(robot.links[b]));
-      if (once && kinematics.adjacent(a, b))
-        disabled.push_back({robot.links[a].name, robot.links[b].name, "Adjacent", "joined, or fixed to each other"});
-    }
-  }
 }
 
 }  // namespace
@@ -358,14 +314,12 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   for (const std::string& note : notesOnFarScene(request.scene, request.clearance, robot)) notes.push_back(note);
   std::vector<DisabledPair> disabled;
   runStages({uses, resolverFor(robot, find_package, control), kTreesEnd, control, step}, result,
-            [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, held, fit_options, notes, run); });
+            [&](Run& run) { disabled = fitAll(robot, decisions.front(), find_package, request, held, fit_options, notes, run); });
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
     result.scene = surfaceOf(request.scene);
-    addAdjacentOfKept(robot, decisions.front(), control, disabled);
     result.extra_files["config/" + robotFileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
-    const Totals sums = totals(result.report);
-    for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);
+    for (const std::string& note : notesOnFit(*scene, options)) notes.push_back(note);
     if (const std::string note = noteOnSpeed(*scene, request.scene); !note.empty()) notes.push_back(note);
   }
   rewriteDescription(robot, decisions, find_package, output, notes, result, control);

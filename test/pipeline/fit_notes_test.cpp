@@ -127,6 +127,9 @@ TEST_F(FitRobotToScene, SaysThatTheRobotStandsInTheScene) {
   };
   EXPECT_TRUE(isSaid(0.04));   // touched over 234 degrees
   EXPECT_FALSE(isSaid(0.18));  // over 76 degrees
+  request_.scene.bodies = {{"post", boxShape({2, 0.02, 0.8}), at(0, 0.19, 0.6)}, {"wall", boxShape({2, 2, 0.8}), at(0, 1.04, 0.6)}};
+  const RobotResult result = run(fixtures::link("base", bracket()) + turning);
+  EXPECT_TRUE(isNoted(result, " sampled configurations, most often tip against wall, in ")) << fixtures::joined(result.report.notes);
 }
 
 // A block that slides out of the bracket's notch, in which it is 3 cm clear of the bracket.
@@ -143,7 +146,9 @@ TEST_F(FitRobotToScene, TellsOfLinksThatMeetWithinTheClearance) {
   request_.samples = 1000;
   const std::string told = "hulls of links 'base' and 'tip' collide in ";
   request_.clearance = 0.06;
-  EXPECT_TRUE(isNoted(run(links), told));
+  const RobotResult result = run(links);
+  EXPECT_TRUE(isNoted(result, told));
+  EXPECT_TRUE(isNoted(result, "which a fit allows wherever any meshes, theirs or others, are nearer than the clearance; if the robot has"));
   request_.clearance = 0.01;
   EXPECT_FALSE(isNoted(run(links), told));
 }

@@ -1,4 +1,4 @@
-// Also tests src/pipeline/scene_request.cpp.
+// Also tests src/pipeline/scene_request.cpp and src/pipeline/scene/kept_bodies.cpp.
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include <gtest/gtest.h>
@@ -123,6 +123,39 @@ TEST_F(FitRobotToScene, HullsWithFilesBesidePrimitives) {
   EXPECT_EQ(fixtures::contents(folder_ / "out").count("meshes/base/0_0.stl"), 1u);
   EXPECT_EQ(fixtures::contents(folder_ / "out").count("meshes/base/0_1.stl"), 0u);
   EXPECT_EQ(parseRobotDescription(result.urdf).links[0].collisions.size(), 2u);
+}
+
+TEST_F(FitRobotToScene, WhatIsKeptTakesPartAsItIs) {
+  fixtures::write(folder_ / "meshes/peg.obj", fixtures::obj(surface(boxShape(Eigen::Vector3d::Constant(0.03)))));
+  request_.scene.bodies[0].pose = at(9, 9, 9);
+  request_.primitives = false;
+  RobotResult result;
+  const auto hullsOfBase = [&](const std::string& peg) {
+    const std::string robot = fixtures::link("base", bracket()) + fixtures::link("wheel", "") + fixtures::link("peg", peg) +
+                              "<joint name=\"turn\" type=\"continuous\"><parent link=\"base\"/><child link=\"wheel\"/>"
+                              "<origin xyz=\"0.075 0.075 0.05\"/><axis xyz=\"0 0 1\"/></joint>"
+                              "<joint name=\"lift\" type=\"prismatic\"><parent link=\"wheel\"/><child link=\"peg\"/><axis xyz=\"0 0 1\"/>"
+                              "<limit lower=\"0\" upper=\"0.01\" effort=\"1\" velocity=\"1\"/></joint>";
+    result = run(robot);
+    return result.elements.at(0).hulls.size();
+  };
+  const std::string mesh = collision(fixtures::meshTag("../meshes/peg.obj"));
+  LinkRule rule;
+  rule.pattern = "peg";
+  rule.settings.action = Action::kRemove;
+  options_.rules = {rule};
+  EXPECT_EQ(hullsOfBase(mesh), 1u) << "nothing is in the notch";
+  options_.rules[0].settings.action = Action::kKeep;
+  EXPECT_EQ(hullsOfBase(mesh), 2u) << "the peg turns in the notch";
+  EXPECT_EQ(result.report.scene->phantom, 0u);
+  EXPECT_EQ(hullsOfBase(collision("<geometry><box size=\"0.03 0.03 0.03\"/></geometry>")), 2u);
+  EXPECT_EQ(hullsOfBase(collision(fixtures::meshTag("../meshes/rubbish.stl"))), 1u);
+  EXPECT_TRUE(isNoted(result, "rubbish.stl")) << result.report.notes.back();
+  EXPECT_TRUE(isNoted(result, "; the fit knows nothing of this element, so collisions there were not sampled"));
+  options_.rules.clear();
+  options_.links = "base";
+  EXPECT_EQ(hullsOfBase(mesh), 2u) << "a link that is not chosen is there all the same";
+  EXPECT_TRUE(isNoted(result, "links that 'base' does not match stay as they are, also in the fit"));
 }
 
 TEST_F(FitRobotToScene, KeepsAHullThatFillsNoPrimitive) {

@@ -26,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "collision_hulls/control.h"
@@ -55,10 +56,11 @@ struct FitElement {
   std::shared_ptr<const FitMesh> mesh;
 };
 
-/// A body that stays as it is: a primitive of the robot description, in its link's frame.
+/// A body that stays as it is, in its link's frame: a primitive of the robot description, or a mesh
+/// that no hulls replace.
 struct KeptBody {
   std::size_t link = 0;
-  ConvexHull hull;
+  std::variant<ConvexHull, TriangleMesh> shape;
 };
 
 struct FitProblem {
@@ -158,7 +160,8 @@ struct FitReport {
   std::size_t missed = 0;
   /// samples in which the model collides though the original keeps its clearance
   std::size_t phantom = 0;
-  /// upper bound over all configurations, at most 1, at 95 % confidence, however many batches of
+  /// upper bound on the share that these are of all configurations, and not only of those in which
+  /// the original keeps its clearance; at most 1, at 95 % confidence, however many batches of
   /// samples were tried until one verified the model; 0 if the configurations were given
   double phantom_rate_bound = 0;
   /// of the first `clear_of` samples, those in which the original keeps its clearance: what false
@@ -185,6 +188,7 @@ struct FitReport {
   /// "number 12, base against shelf"
   std::size_t scene_hits = 0;
   std::string first_scene_hit;
+  std::string most_scene_hits;  ///< the pair that has most of them: "base against shelf, in 30"
   std::vector<FittedLink> links;
   std::vector<LeftOutPair> left_out;
   std::vector<PairHits> self;  ///< pairs of links that have a false collision before or after

@@ -72,7 +72,8 @@ std::string noteOnRestContacts(const FitReport& fit) {
          pronoun(pairs) + ", and the SRDF disables " + pronoun(pairs) + "; delete there what has to be checked";
 }
 
-/// On pairs of links whose hulls meet in many configurations in which their meshes are near, but do not touch; empty: there are none.
+/// On pairs of links whose hulls meet in many configurations in which their meshes do not touch; empty: there are none. The fit allows that
+/// wherever the robot does not keep the clearance, be it with this pair or another.
 std::string noteOnNearPairs(const FitReport& fit) {
   const PairHits* worst = nullptr;
   std::size_t count = 0;
@@ -85,7 +86,8 @@ std::string noteOnNearPairs(const FitReport& fit) {
   return "hulls of links '" + worst->first + "' and '" + worst->second + "' collide in " + std::to_string(worst->after) + " of " +
          std::to_string(fit.samples) + " configurations in which the meshes do not" +
          (count > 1 ? ", and those of " + counted(count - 1, "more pair") + " in many" : "") +
-         "; if they have to work closer together than the clearance, use a smaller clearance";
+         ", which a fit allows wherever any meshes, theirs or others, are nearer than the clearance; if the robot has to work there, "
+         "use a smaller clearance";
 }
 
 /// On false collisions that nobody could find, since the meshes hardly ever keep the clearance; empty: they do.
@@ -181,7 +183,7 @@ std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped)
          " from finer hulls; raise max-hulls, or set it to 0, which lifts the limit";
 }
 
-std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted) {
+std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options) {
   std::vector<std::string> notes;
   if (const std::string note = noteOnFewClear(fit); !note.empty()) notes.push_back(note);
   if (fit.leaf_contacts > 0) {
@@ -190,11 +192,7 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
                     "; give these links a smaller tolerance in the configuration, or all links by --tolerance");
   }
   notes.insert(notes.end(), fit.notes.begin(), fit.notes.end());
-  if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were left out of the fit");
-  if (unfitted > 0)
-    notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") +
-                    " kept or removed had no part in the fit: collisions with what " + (unfitted == 1 ? "it keeps" : "they keep") +
-                    " were not sampled, and false ones there are not bounded; 'rosrun collision_hulls verify' on the output counts them");
+  if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match stay as they are, also in the fit");
   if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnGivenContacts(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnRestContacts(fit); !note.empty()) notes.push_back(note);
@@ -209,9 +207,9 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
     notes.push_back(touched + " given configurations, the first of them " + fit.first_scene_hit +
                     "; check these unless the contact is meant");
   if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))
-    notes.push_back(touched +
-                    " sampled configurations, and a fit learns from the others alone; if the robot does not stand there, move the " +
-                    "scene, or give the configurations that matter");
+    notes.push_back(touched + " sampled configurations, most often " + fit.most_scene_hits +
+                    ", and a fit learns from the others alone; if the robot does not stand there, move the scene, or give the " +
+                    "configurations that matter");
   return notes;
 }
 

@@ -19,8 +19,8 @@ double reachOf(const RobotDescription& robot);
 /// On false collisions that only max-hulls keeps; empty: there are none. `capped`: the links with a mesh that finer hulls would fit.
 std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped);
 
-/// On what was fitted. `unfitted`: links that the options keep or remove.
-std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted);
+/// On what was fitted.
+std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options);
 
 /// On a model that takes longer to query than the meshes that it stands for; empty: it does not.
 std::string noteOnSpeed(const FitReport& fit, const Scene& scene);

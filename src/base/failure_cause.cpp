@@ -7,6 +7,8 @@
 namespace collision_hulls {
 namespace {
 
+constexpr const char *kIsEqualTo = "' is equal to '", *kBecause = "': ";  // in the reason of a copy
+
 /// Erases a part of a text wherever it stands; `whole_word`: with what is before it, back to a space or quote.
 void eraseAll(const std::string& part, bool whole_word, std::string& text) {
   for (std::size_t at = 0; !part.empty() && (at = text.find(part, at)) != std::string::npos;) {
@@ -27,7 +29,12 @@ void eraseLineNumbers(std::string& text) {
 
 }  // namespace
 
-std::string failureCause(std::string reason, const std::string& uri, const std::string& link, Folder folder) {
+std::string failureCause(std::string reason, std::string uri, const std::string& link, Folder folder) {
+  const std::string begin = "'" + uri + kIsEqualTo, because = kBecause;
+  if (const std::size_t end = reason.find(because, begin.size()); reason.rfind(begin, 0) == 0 && end != std::string::npos) {
+    uri = reason.substr(begin.size(), end - begin.size());
+    reason.erase(0, end + because.size());
+  }
   eraseAll(lastPart(uri), folder == Folder::kLeftOut, reason);
   eraseAll("'" + link + "'", false, reason);
   eraseAll("[" + link + "]", false, reason);
@@ -35,8 +42,12 @@ std::string failureCause(std::string reason, const std::string& uri, const std::
   return reason;
 }
 
-std::string theSameFor(std::size_t more_meshes, std::size_t links) {
-  return " (the same for " + counted(more_meshes, "more mesh", "more meshes") + ", of " + counted(links, "link") + " in all)";
+std::string reasonOfCopy(const std::string& uri, const std::string& first, const std::string& reason) {
+  return "'" + uri + kIsEqualTo + first + kBecause + reason;
+}
+
+std::string theSameFor(std::size_t more, std::size_t links) {
+  return " (the same for " + std::to_string(more) + " more, of " + counted(links, "link") + " in all)";
 }
 
 }  // namespace collision_hulls

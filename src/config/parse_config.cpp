@@ -39,10 +39,7 @@ void read(const ConfigItem& item, int& number) {
 
 void read(const ConfigItem& item, Length& length) {
   const std::string text = item.text("a length, as in 5mm");
-  inContext(item.place(), [&] {
-    length = parseLength(text, item.key);
-    checkTolerance(length, item.key);
-  });
+  inContext(item.place(), [&] { length = parseTolerance(text, item.key); });
 }
 
 /// A padding, or the width of openings.

@@ -36,9 +36,8 @@ void readVector(const ConfigItem& item, const std::string& entry_name, const std
 void readTolerance(const ConfigItem& item, double& tolerance) {
   const std::string text = item.text("a length, as in 1mm, or 0 to keep the region clear");
   inContext(item.place(), [&] {
-    tolerance = parseMetresOrZero(text, item.key);
+    tolerance = parsePadding(text, item.key);
     if (tolerance == 0) tolerance = kRegionSlack;
-    checkTolerance(lengthOf(tolerance), item.key);
   });
 }
 

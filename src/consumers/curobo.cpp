@@ -58,7 +58,7 @@ std::vector<std::string> linksWithOthers(const RobotDescription& robot, const Op
 [[noreturn]] void refuse(const std::vector<std::string>& links, const std::string& remedy) {
   throw Error(ErrorCode::kBadOption, "--for curobo: " + someHave(links) +
                                          " other collision elements than spheres, which cuRobo would miss; " + remedy +
-                                         "remove them by --config, or leave --for curobo out");
+                                         "describe them by spheres or by meshes that are not kept, or leave --for curobo out");
 }
 
 }  // namespace

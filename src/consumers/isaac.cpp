@@ -115,7 +115,7 @@ ConsumerFiles isaacFiles(const WrittenModel& model) {
 
 std::vector<std::string> isaacNotes(const WrittenModel& model) {
   std::vector<std::string> notes;
-  noteLeftOut(model, "isaac", notes);
+  noteLeftOut(model, "isaac", "the reader would choose an approximation of it", notes);
   return notes;
 }
 

@@ -2,7 +2,8 @@
 // Bodies nest as the links do, each with the frame of its joint. Links without mass get next to none from their geoms, as MuJoCo wants
 // every moving body to have some. Pairs that need no check are excluded: MuJoCo itself leaves out a body and its parent, but not where the
 // parent stands still. What floats is a body of the world, as MuJoCo lets no other be free. Visual meshes are left out: MuJoCo reads
-// neither Collada nor package:// URIs.
+// neither Collada nor package:// URIs. So are collision meshes that were kept, with a note: their
+// convex hulls may protrude by any length.
 #include <algorithm>
 
 #include "collision_hulls/robot/kinematics.h"
@@ -193,7 +194,7 @@ std::vector<std::string> mujocoNotes(const WrittenModel& model) {
   if (!out_of_range.empty())
     notes.push_back("--for mujoco: out of range where MuJoCo starts, with all joints at 0: " + out_of_range +
                     "; set their qpos first. No keyframe is written, as MuJoCo rejects one once other bodies are added");
-  noteLeftOut(model, "mujoco", notes);
+  noteLeftOut(model, "mujoco", "MuJoCo would take its convex hull, which fills what is hollow", notes);
   return notes;
 }
 

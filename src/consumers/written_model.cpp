@@ -185,12 +185,12 @@ std::string jointsThat(const WrittenModel& model, const std::function<bool(const
   return fewOf(names);
 }
 
-void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::vector<std::string>& notes) {
+void noteLeftOut(const WrittenModel& model, const std::string& consumer, const std::string& otherwise, std::vector<std::string>& notes) {
   const std::vector<std::string> links = model.linksWithOtherMeshes();
   if (links.empty()) return;
-  notes.push_back("--for " + consumer + ": " + someHave(links) +
-                  " a mesh that is not a hull of this output; the file leaves it out, so that collisions with it are missed. Decompose it "
-                  "as well (its action is decompose, and --links, if given, matches it)");
+  notes.push_back("--for " + consumer + ": " + someHave(links) + " a mesh that is not a hull of this output; the file leaves it out, as " +
+                  otherwise +
+                  "; collisions with it are missed. Decompose it as well (its action is decompose, and --links, if given, matches it)");
 }
 
 void noteFollowers(const WrittenModel& model, const std::string& consumer, const std::string& format, std::vector<std::string>& notes) {

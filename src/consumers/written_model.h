@@ -91,8 +91,8 @@ std::string someHave(const std::vector<std::string>& links);
 /// For messages: the joints of which something is true, as "'a', 'b', 'c' and 4 more"; empty if there are none.
 std::string jointsThat(const WrittenModel& model, const std::function<bool(const JointDescription&)>& is_so);
 
-// Notes, if there is something to say. `consumer`: its name in --for; `format`: "a SKEL file".
-void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::vector<std::string>& notes);
+// Notes, if there is something to say. `consumer`: its name in --for; `format`: "a SKEL file"; `otherwise`: what becomes of a mesh there.
+void noteLeftOut(const WrittenModel& model, const std::string& consumer, const std::string& otherwise, std::vector<std::string>& notes);
 void noteFollowers(const WrittenModel& model, const std::string& consumer, const std::string& format, std::vector<std::string>& notes);
 /// For consumers that give links without <inertial> 1 kg. `links`: these; `who`: "DART".
 void noteWithoutInertial(const std::vector<std::string>& links, const std::string& consumer, const std::string& who,

@@ -60,8 +60,7 @@ QString openingsText(double width) {
 // What somebody typed, as a change. A value that is refused throws kBadOption.
 
 SettingsForm::Change typedTolerance(const std::string& text) {
-  const Length tolerance = parseLength(text);
-  checkTolerance(tolerance);
+  const Length tolerance = parseTolerance(text);
   return [tolerance](LinkOptions& options) { options.tolerance = tolerance; };
 }
 

@@ -87,10 +87,6 @@ std::vector<std::string> notesOnNew(const RobotDescription& robot, const LinkDec
           (one ? "it" : "them") + " without collision geometry"};
 }
 
-bool haveCommon(const std::set<std::string>& a, const std::set<std::string>& b) {
-  return std::any_of(a.begin(), a.end(), [&](const std::string& item) { return b.count(item) > 0; });
-}
-
 /// The uses of one link in one model.
 void addUses(const LinkDescription& link, const LinkOptions& options, std::size_t model, std::vector<MeshUse>& uses) {
   const bool decomposed = options.action == Action::kDecompose;
@@ -183,13 +179,13 @@ std::shared_ptr<const MeshResult> failedMesh() {
   return std::make_shared<const MeshResult>(std::move(failed));
 }
 
-/// Whether a rule is for a link that has something to keep or remove.
-bool matchesGeometry(const RobotDescription& robot, const LinkRule& rule, const RunControl& control) {
-  const LinkPattern pattern(rule.pattern, "links");
-  return std::any_of(robot.links.begin(), robot.links.end(), [&](const LinkDescription& link) {
+/// Whether an expression matches one of these links. Names are looked up: a program writes a rule for each link.
+bool matchesAny(const LinkPattern& pattern, const std::set<std::string>& links, const RunControl& control) {
+  const auto any = [](const std::set<std::string>& names, const auto& is_so) { return std::any_of(names.begin(), names.end(), is_so); };
+  if (pattern.names()) return any(*pattern.names(), [&](const std::string& name) { return links.count(name) > 0; });
+  return any(links, [&](const std::string& link) {
     control.check();
-    if (link.visuals.empty() && link.collisions.empty()) return false;
-    return pattern.names() ? pattern.names()->count(link.name) > 0 : pattern.matches(link.name);
+    return pattern.matches(link);
   });
 }
 
@@ -313,35 +309,25 @@ std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDe
 std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options,
                                      const RunControl& control) {
   if (!options.links.empty()) return {};  // then whatever is told of other links changes nothing, as was asked for
-  std::set<std::string> links;
+  std::set<std::string> decomposed, with_geometry, keep_primitives;
   for (const MeshUse& use : meshUses(robot, {decisions}))
-    if (isDecomposed(&use.options)) links.insert(use.link);
+    if (isDecomposed(&use.options)) decomposed.insert(use.link);
+  for (const LinkDescription& link : robot.links) {
+    if (!link.visuals.empty() || !link.collisions.empty()) with_geometry.insert(link.name);
+    if (keepsPrimitives(link, decisions.of(link.name))) keep_primitives.insert(link.name);
+  }
   std::vector<std::string> notes;
-  const auto look = [&](const std::string& what, const std::string& expression, const std::string& place) {
+  const auto look = [&](const std::string& what, const std::string& expression, const std::string& place, bool decomposes) {
     control.check();
     const LinkPattern pattern(expression, what);
-    const auto matches = [&](const std::string& link) {
-      control.check();
-      return pattern.matches(link);
-    };
-    const auto may_use_visual = [&](const LinkDescription& link) {
-      return keepsPrimitives(link, decisions.of(link.name)) &&
-             (pattern.names() ? pattern.names()->count(link.name) > 0 : matches(link.name));
-    };
-    if (pattern.names() ? haveCommon(*pattern.names(), links) : std::any_of(links.begin(), links.end(), matches)) return;
-    notes.push_back(
-        (place.empty() ? "" : place + ": ") + what + " '" + expression +
-        "' changes nothing: no link that it matches has a mesh to decompose" +
-        (std::any_of(robot.links.begin(), robot.links.end(), may_use_visual) ? "; 'source: visual' uses their visual meshes" : ""));
+    if (matchesAny(pattern, decomposes ? decomposed : with_geometry, control)) return;
+    notes.push_back((place.empty() ? "" : place + ": ") + what + " '" + expression + "' changes nothing: no link that it matches has " +
+                    (decomposes ? "a mesh to decompose" : "geometry") +
+                    (matchesAny(pattern, keep_primitives, control) ? "; 'source: visual' uses their visual meshes" : ""));
   };
-  for (const LinkRule& rule : options.rules) {
-    if (rule.settings.action.value_or(Action::kDecompose) == Action::kDecompose)
-      look("links", rule.pattern, rule.place);
-    else if (!matchesGeometry(robot, rule, control))
-      notes.push_back((rule.place.empty() ? "" : rule.place + ": ") + "links '" + rule.pattern +
-                      "' changes nothing: no link that it matches has geometry");
-  }
-  for (const RegionRule& rule : options.region_rules) look("region '" + rule.name + "' of link", rule.pattern, rule.place);
+  for (const LinkRule& rule : options.rules)
+    look("links", rule.pattern, rule.place, rule.settings.action.value_or(Action::kDecompose) == Action::kDecompose);
+  for (const RegionRule& rule : options.region_rules) look("region '" + rule.name + "' of link", rule.pattern, rule.place, true);
   return notes;
 }
 

@@ -178,6 +178,32 @@ void noteClosedOpenings(Report& report) {
                          " closed: the hulls cover the lids, too, and protrusion is measured from the closed meshes");
 }
 
+/// Of the meshes that a width to close holds for.
+struct Closing {
+  std::size_t closed = 0, meshes = 0;
+  const ElementReport* widest = nullptr;  // has the widest opening that is left, if any is
+};
+
+void noteIdleClosing(Report& report) {
+  std::map<double, Closing> closings;  // by width
+  for (const ElementReport& row : report.links) {
+    if (!isDone(row) || row.close_openings == 0) continue;
+    Closing& closing = closings[row.close_openings];
+    closing.closed += row.closed_openings;
+    ++closing.meshes;
+    if (!closing.widest || row.widest_opening > closing.widest->widest_opening) closing.widest = &row;
+  }
+  for (const auto& [width, closing] : closings) {
+    if (closing.closed > 0) continue;
+    const ElementReport& mesh = *closing.widest;
+    const std::string why = mesh.openings > 0 ? "'" + mesh.uri + "' has " + counted(mesh.openings, "opening") + ", up to " +
+                                                    millimetres(std::ceil(1000 * mesh.widest_opening) / 1000) + " wide"
+                            : closing.meshes > 1 ? "none of " + std::to_string(closing.meshes) + " meshes has any"
+                                                 : "'" + mesh.uri + "' has none";
+    report.notes.push_back("closing openings of up to " + toString(lengthOf(width)) + " changes nothing: " + why);
+  }
+}
+
 /// What is certified of padded hulls is measured from the mesh, as of all others.
 void notePadding(Report& report) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -279,6 +305,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
     for (std::string& note : notesOnHulls(result, control)) result.report.notes.push_back(std::move(note));
   }
   noteClosedOpenings(result.report);
+  noteIdleClosing(result.report);
   notePadding(result.report);
   noteFarRegions(result);
   noteCoarseRegions(result.report);

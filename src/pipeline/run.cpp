@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/failure_cause.h"
 #include "base/parallel.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 #include "pipeline/collision_model.h"
@@ -45,7 +46,7 @@ namespace {
 /// The failure of a mesh for a use that knows it by another name: the reason tells of the first one's file.
 std::shared_ptr<const MeshResult> failedLike(const std::string& first, const MeshResult& mesh, const std::string& uri) {
   const auto own = std::make_shared<MeshResult>(mesh);
-  own->reason = "'" + uri + "' is equal to '" + first + "': " + mesh.reason;
+  own->reason = reasonOfCopy(uri, first, mesh.reason);
   own->seconds = {};  // they count once
   return own;
 }

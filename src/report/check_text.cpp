@@ -12,8 +12,7 @@ std::string countedBodies(std::size_t hulls, std::size_t primitives) {
 }
 
 std::string bodiesInColumn(std::size_t hulls, std::size_t primitives) {
-  if (primitives == 0) return std::to_string(hulls);
-  return (hulls > 0 ? std::to_string(hulls) + ", " : "") + counted(primitives, "primitive");
+  return primitives == 0 ? std::to_string(hulls) : countedBodies(hulls, primitives);
 }
 
 std::string kindOfBodies(const ModelReport& model) {

@@ -15,7 +15,7 @@ using CountText = std::string (*)(std::size_t number, const std::string& noun, c
 /// "7 hulls", "7 hulls and 1 primitive", "2 primitives".
 std::string countedBodies(std::size_t hulls, std::size_t primitives);
 
-/// "7", "7, 1 primitive", "2 primitives": for a table's column.
+/// "7", "7 hulls and 1 primitive", "2 primitives": for a table's column.
 std::string bodiesInColumn(std::size_t hulls, std::size_t primitives);
 
 /// "hulls", "primitives", or "bodies" where a model has both.

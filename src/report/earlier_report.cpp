@@ -42,19 +42,13 @@ enum class Kind { kText, kObject, kArray, kOther };
 
 /// What is asked for, by its place: the keys on the way to it, an empty one for any item of an array.
 const std::map<std::string_view, Kind>& wanted() {
-  static const std::map<std::string_view, Kind> places = {{"/collision_hulls", Kind::kText},
-                                                          {"/files", Kind::kArray},
-                                                          {"/files/", Kind::kText},
-                                                          {"/input/sha256", Kind::kText},
-                                                          {"/options/source", Kind::kText},
-                                                          {"/links", Kind::kArray},
-                                                          {"/links/", Kind::kObject},
-                                                          {"/links//link", Kind::kText},
-                                                          {"/links//source", Kind::kText},
-                                                          {"/links//status", Kind::kText},
-                                                          {"/links//files", Kind::kArray},
-                                                          {"/links//files/", Kind::kText},
-                                                          {"/models//links//status", Kind::kText}};
+  static const std::map<std::string_view, Kind> places = {{"/collision_hulls", Kind::kText}, {"/files", Kind::kArray},
+                                                          {"/files/", Kind::kText},          {"/input/sha256", Kind::kText},
+                                                          {"/options/source", Kind::kText},  {"/scene", Kind::kObject},
+                                                          {"/links", Kind::kArray},          {"/links/", Kind::kObject},
+                                                          {"/links//link", Kind::kText},     {"/links//source", Kind::kText},
+                                                          {"/links//status", Kind::kText},   {"/links//files", Kind::kArray},
+                                                          {"/links//files/", Kind::kText},   {"/models//links//status", Kind::kText}};
   return places;
 }
 
@@ -72,6 +66,7 @@ class ReportReader {
     if (!has("/collision_hulls") || !has("/input/sha256") || !has("/options/source") || !has("/links") || !inEachRow("/links//link") ||
         !inEachRow("/links//source"))
       return std::nullopt;
+    source_.fitted = has("/scene");
     return std::move(source_);
   }
 

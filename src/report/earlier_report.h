@@ -29,6 +29,7 @@ struct EarlierSource {
   std::string input_sha256;               ///< of the description's text
   Source source = Source::kAuto;          ///< the run's option
   double close_openings = 0;              ///< [m] the largest of the rows', see LinkOptions
+  bool fitted = false;                    ///< to a scene
   std::map<std::string, Source> of_link;  ///< kVisual or kCollision, of links with a row: their settings may differ from the run's
 };
 

@@ -120,12 +120,33 @@ std::string shortestLength(double metres) {
   return best;
 }
 
+/// Throws for a length in metres above the largest: 5 for 5 mm is the usual mistake. `text`: as it was given, with or without a unit, or in
+/// metres, if that is no longer known; `otherwise`: a sentence on what else helps.
+void expectUnit(const std::string& option, const std::string& text, double metres, bool has_unit, const std::string& otherwise = "") {
+  if (!isSet(metres) || metres <= kLargestTolerance) return;
+  const bool is_metres = text.find_first_of("ci") == std::string::npos && text.find("mm") == std::string::npos;
+  const double thousandth = metres / 1000;
+  throw Error(ErrorCode::kBadOption,
+              option + " '" + text + "' is more than " + decimal(kLargestTolerance) + " m, the largest that makes sense for a mesh" +
+                  (has_unit ? "" : ": a number without a unit is in metres") +
+                  (is_metres && thousandth <= kLargestTolerance ? "; did you mean " + toString(lengthOf(thousandth)) + "?"
+                                                                : "; give a smaller length, as in 5mm.") +
+                  otherwise);
+}
+
+constexpr const char* kForLarger = " For a larger machine give a percentage, such as 5%";
+
+/// Whether a length was given with a unit.
+bool hasUnit(const std::string& text) {
+  return text.find_first_of("mi") != std::string::npos;  // of each
+}
+
 void checkLength(const std::string& option, const Length& length) {
   const char* const allowed = "a length above 0, a percentage above 0% and up to 100%, or both";
   if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
   if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, decimal(length.limit) + "m", allowed);
   if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, decimal(100 * length.share) + "%", allowed);
-  expectUnit(option, toString(length), length.limit, false, " For a larger machine give a percentage, such as 5%");
+  expectUnit(option, toString(length), length.limit, false, kForLarger);
 }
 
 /// Of a padding or an opening.
@@ -198,18 +219,6 @@ std::string choicesOf(const std::vector<T>& all) {
 
 }  // namespace
 
-void expectUnit(const std::string& option, const std::string& text, double metres, bool has_unit, const std::string& otherwise) {
-  if (!isSet(metres) || metres <= kLargestTolerance) return;
-  const bool is_metres = text.find_first_of("ci") == std::string::npos && text.find("mm") == std::string::npos;
-  const double thousandth = metres / 1000;
-  throw Error(ErrorCode::kBadOption,
-              option + " '" + text + "' is more than " + decimal(kLargestTolerance) + " m, the largest that makes sense for a mesh" +
-                  (has_unit ? "" : ": a number without a unit is in metres") +
-                  (is_metres && thousandth <= kLargestTolerance ? "; did you mean " + toString(lengthOf(thousandth)) + "?"
-                                                                : "; give a smaller length, as in 5mm.") +
-                  otherwise);
-}
-
 Length parseLength(const std::string& text, const std::string& option) {
   const std::size_t comma = text.find(',');
   std::optional<Length> length;
@@ -223,6 +232,12 @@ Length parseLength(const std::string& text, const std::string& option) {
       option, text,
       "a positive length, as in 5mm, 0.5cm, 0.005 or 0.005m (metres), 200um, 0.2in; a percentage of each mesh's bounding-box diagonal "
       "above 0% and up to 100%, as in 1%; or the smaller of both, each with its unit, as in 1cm,5%");
+}
+
+Length parseTolerance(const std::string& text, const std::string& option) {
+  const Length length = parseLength(text, option);
+  expectUnit(option, text, length.limit, hasUnit(text), kForLarger);
+  return length;
 }
 
 double parseMetres(const std::string& text, const std::string& option) {
@@ -254,7 +269,7 @@ double parseSeconds(const std::string& text, const std::string& option) {
 
 double parsePadding(const std::string& text, const std::string& option) {
   const double metres = parseMetresOrZero(text, option);
-  if (metres > 0) checkPositiveLength(option, metres);
+  expectUnit(option, text, metres, hasUnit(text));
   return metres;
 }
 

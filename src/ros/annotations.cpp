@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/counted.h"
 #include "base/millimetres.h"
+#include "report/check_text.h"
 
 namespace collision_hulls {
 namespace {
@@ -54,9 +54,7 @@ Eigen::Vector3d openDirection(const Eigen::Vector3d& tip, const Eigen::Vector3d&
 std::string labelText(const Link& link) {
   double protrusion = 0;
   for (const LinkMesh& mesh : link.meshes) protrusion = std::max(protrusion, mesh.row.protrusion);
-  std::string text = link.name + ": ";
-  if (link.hulls > 0 || link.primitives == 0) text += counted(link.hulls, "hull");
-  if (link.primitives > 0) text += (link.hulls > 0 ? ", " : "") + counted(link.primitives, "primitive");
+  std::string text = link.name + ": " + countedBodies(link.hulls, link.primitives);
   if (protrusion > 0) text += ", " + millimetres(protrusion, kDigits);
   return text;
 }

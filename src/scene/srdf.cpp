@@ -8,6 +8,7 @@
 
 #include "base/counted.h"
 #include "base/looks.h"
+#include "base/nearest_name.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "robot/number_text.h"
@@ -46,14 +47,16 @@ class SrdfReader {
     dropEnabled();
     for (const XmlNode* element : root.childrenNamed("disable_collisions")) disable(pairOf(*element), element->attribute("reason"));
     if (left_out_ > 0 && !names_a_pair_)
-      fail(root,
-           "no pair names two links of the robot '" + robot_ + "', which has no '" + first_unknown_ + "'; give the SRDF of this robot");
+      fail(root, "no pair names two links of the robot '" + robot_ + "', which has no '" + shortened(first_unknown_) +
+                     "'; give the SRDF of this robot");
     if (const std::string name = root.attribute("name"); !name.empty() && name != robot_)
       result_.notes.push_back(label_ + " is for the robot '" + shortened(name) + "', and the description is of '" + robot_ +
                               "'; its pairs count where the links have the same names");
     if (left_out_ > 0) {
+      const std::string nearest = nearestName(first_unknown_, links_);
       result_.notes.push_back(label_ + ": " + counted(left_out_, "pair names", "pairs name") +
-                              " links that the robot does not have, first '" + first_unknown_ + "'; " +
+                              " links that the robot does not have, first '" + shortened(first_unknown_) + "'" +
+                              (nearest.empty() ? "" : " (did you mean '" + shortened(nearest) + "'?)") + "; " +
                               (left_out_ == 1 ? "it is" : "they are") + " left out");
     }
     return std::move(result_);
@@ -84,7 +87,7 @@ class SrdfReader {
   }
 
   void leaveOut(const std::string& unknown, std::size_t pairs) {
-    if (left_out_ == 0) first_unknown_ = shortened(unknown);
+    if (left_out_ == 0) first_unknown_ = unknown;
     left_out_ += pairs;
   }
 

@@ -107,14 +107,6 @@ class NewFile {
   Descriptor open_;
 };
 
-/// Where a name leads, through links; also where nothing is there yet.
-fs::path behindLinks(fs::path file) {
-  constexpr int kMostLinks = 40;
-  std::error_code error;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(file, error); ++i) file = file.parent_path() / fs::read_symlink(file, error);
-  return file;
-}
-
 /// A path that leads through an open folder (/proc/self/fd/7/meshes), as people know it.
 fs::path named(const fs::path& path) {
   constexpr int kParts = 5;  // "/", "proc", "self", "fd", "7"
@@ -145,6 +137,13 @@ void writeText(const fs::path& file, const std::string& text) {
   if (error) throwUnwritable(file.parent_path(), error.message());
   write(file, text);
   if (contentOf(file, text.size()) != text) throwUnwritable(file, "it reads back differently from what was written");
+}
+
+fs::path behindLinks(fs::path file) {
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(file, error); ++i) file = file.parent_path() / fs::read_symlink(file, error);
+  return file;
 }
 
 void checkFolderOf(const fs::path& path) {

@@ -43,6 +43,9 @@ void checkBeginsWith(const std::filesystem::path& file, const std::string& begin
 /// checkBeginsWith() for the report of any program: its first key is collision_hulls. A .gltf file is JSON, too, but no report.
 void checkHoldsReport(const std::filesystem::path& file);
 
+/// Where a file's name leads, through symbolic links, also to where nothing is yet.
+std::filesystem::path behindLinks(std::filesystem::path file);
+
 /// Throws kUnwritableOutput unless something can be created in the nearest existing folder above an absolute path, and tries that.
 void checkFolderOf(const std::filesystem::path& path);
 

@@ -79,7 +79,8 @@ void interpret(Command& command) {
   check(caps);
   if (!command.methods.empty()) options.methods = methodsIn(command.methods);
   if (!command.tolerances.empty())
-    options.tolerances = parsedList<Length>(command.tolerances, [](const std::string& text) { return lengthIn(text, "--tolerances"); });
+    options.tolerances =
+        parsedList<Length>(command.tolerances, [](const std::string& text) { return parseTolerance(text, "--tolerances"); });
   if (!command.efforts.empty()) {
     options.efforts =
         parsedList<Effort>(command.efforts, [](const std::string& text) { return choice("--effort", text, effortNamed, effortChoices()); });

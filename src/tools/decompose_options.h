@@ -13,7 +13,6 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/options.h"
 #include "command_line.h"
-#include "length_options.h"
 
 namespace collision_hulls {
 
@@ -111,7 +110,7 @@ class DecomposeOptionAdder {
     add("Accuracy", "-t,--tolerance", "LENGTH", toString(defaults.tolerance),
         "How far the hulls may protrude from the solid: 5mm, 0.005 (metres), 1% of each mesh's bounding-box diagonal, or 1cm,5%: the "
         "smaller of both",
-        [](Options& options, const std::string& option, const std::string& text) { options.tolerance = lengthIn(text, option); });
+        [](Options& options, const std::string& option, const std::string& text) { options.tolerance = parseTolerance(text, option); });
     addChoice("Accuracy", "-m,--method", &Options::method, methodNamed, methodChoices(), name(defaults.method), "How to decompose meshes");
     addChoice("Accuracy", "--effort", &Options::effort, effortNamed, effortChoices(), name(defaults.effort),
               "instant: least time, more hulls; best: fewest hulls, several times the time (method certified)");
@@ -120,12 +119,10 @@ class DecomposeOptionAdder {
         "Cover the inside of closed meshes as well, not their surface alone (method certified)");
     add("Accuracy", "--padding", "LENGTH", "0",
         "Make the hulls hold everything within this distance of the surface; they may then protrude by the padding and the tolerance",
-        [](Options& options, const std::string& option, const std::string& text) { options.padding = metresOrZeroIn(text, option); });
+        [](Options& options, const std::string& option, const std::string& text) { options.padding = parsePadding(text, option); });
     add("Accuracy", "--close-openings", "LENGTH", "0",
         "First close openings of shells up to this width; protrusion is then measured from the closed meshes",
-        [](Options& options, const std::string& option, const std::string& text) {
-          options.close_openings = metresOrZeroIn(text, option);
-        });
+        [](Options& options, const std::string& option, const std::string& text) { options.close_openings = parsePadding(text, option); });
     addChoice("Accuracy", "--shapes", &Options::shapes, shapesNamed, shapesChoices(), name(defaults.shapes),
               "Bodies that the model consists of: a primitive where it does as well as hulls (mixed), primitives or spheres alone, or a "
               "single one (method certified)");
@@ -134,7 +131,7 @@ class DecomposeOptionAdder {
     add("Accuracy", "--tree", "LENGTH", "",
         "Build and cache hulls at every level of detail (a hull tree), down to this finer tolerance; later runs at coarser tolerances "
         "reuse them (method certified)",
-        [](Options& options, const std::string& option, const std::string& text) { options.tree = lengthIn(text, option); });
+        [](Options& options, const std::string& option, const std::string& text) { options.tree = parseTolerance(text, option); });
   }
 
   void addLimits() {

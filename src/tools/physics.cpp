@@ -54,7 +54,7 @@ void interpret(Command& command) {
   PhysicsOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();
   if (!command.methods.empty()) options.methods = methodsIn(command.methods);
-  if (!command.tolerance.empty()) options.tolerance = lengthIn(command.tolerance, "--tolerance");
+  if (!command.tolerance.empty()) options.tolerance = parseTolerance(command.tolerance, "--tolerance");
   options.peers = peersOf(command.peers, options.program);
   if (command.inputs.empty() && command.robot.empty()) throw Error(ErrorCode::kBadOption, "nothing to do; give INPUT or --grip");
 }

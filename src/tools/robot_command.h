@@ -20,7 +20,6 @@
 #include "collision_hulls/pipeline/output.h"
 #include "command_line.h"
 #include "decompose_options.h"
-#include "length_options.h"
 #include "pipeline/stages.h"
 #include "robot/package_place.h"
 #include "storage/files.h"
@@ -132,7 +131,13 @@ inline ModelOptions modelOf(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw Error(ErrorCode::kBadOption, "--model '" + text + "' is invalid: use a name and a tolerance, as in contact=2mm");
-  return {text.substr(0, equals), lengthIn(text.substr(equals + 1), "--model " + text.substr(0, equals))};
+  return {text.substr(0, equals), parseTolerance(text.substr(equals + 1), "--model " + text.substr(0, equals))};
+}
+
+/// No name has a comma.
+inline Consumer consumerOf(const std::string& text) {
+  if (text.find(',') == std::string::npos) return choice("--for", text, consumerNamed, consumerChoices());
+  throw Error(ErrorCode::kBadOption, "--for '" + text + "' is a list, and takes one name: repeat --for, as in --for moveit --for gazebo");
 }
 
 /// Fills command.options.
@@ -152,8 +157,7 @@ inline void configure(RobotCommand& command, const RunControl& control) {
   if (command.given.names.count("spheres") > 0 && command.given.names.count("shapes") > 0)
     throw Error(ErrorCode::kBadOption, "--spheres is --shapes spheres, which contradicts another --shapes; leave one of them out");
   command.given.apply(command.options);
-  for (const std::string& name : command.consumer_names)
-    command.consumers.push_back(choice("--for", name, consumerNamed, consumerChoices()));
+  for (const std::string& name : command.consumer_names) command.consumers.push_back(consumerOf(name));
   if (!has_format) command.options.format = formatFor(command.consumers, command.options.format);
   if (!has_shapes) command.options.shapes = shapesFor(command.consumers, command.options.shapes);
   if (command.models.empty()) return;

@@ -64,7 +64,8 @@ inline void addSceneOptions(CommandLine& app, SceneCommand& command) {
   addFile("--configurations", command.configurations, "Fit to these configurations only: .csv, or .yaml of joint states or a trajectory");
   add("--max-step", command.max_step, "STEP",
       "Interpolate between the given configurations so that no joint moves more than STEP [rad or m]");
-  add("--joints", command.joints, "REGEX", "Only these joints move, the others stay at rest: a regular expression that matches whole names")
+  add("--joints", command.joints, "REGEX",
+      "Only these joints move; the others stay at rest, or where --at says: a regular expression that matches whole names")
       ->check(notEmpty("a regular expression"));
   add("--at", command.at, "JOINT=VALUE", "A joint that stays at this position [rad or m]; repeatable");
   addFile("--srdf", command.srdf, "SRDF whose disabled pairs of links are not checked");

@@ -91,7 +91,7 @@ void interpret(Command& command) {
   StabilityOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();
   if (!command.methods.empty()) options.methods = methodsIn(command.methods);
-  if (!command.tolerance.empty()) options.tolerance = lengthIn(command.tolerance, "--tolerance");
+  if (!command.tolerance.empty()) options.tolerance = parseTolerance(command.tolerance, "--tolerance");
   if (command.few) options.troubles = fewTroubles();
   if (!command.troubles.empty()) choose(parsedList<TroubleKind>(command.troubles, troubleKind), options.troubles);
   options.peers = peersOf(command.peers, options.program);

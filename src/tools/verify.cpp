@@ -10,7 +10,6 @@
 #include "collision_hulls/pipeline/input.h"
 #include "decompose_options.h"
 #include "file_options.h"
-#include "length_options.h"
 #include "storage/files.h"
 #include "terminal_program.h"
 
@@ -18,8 +17,9 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kFooter = R"(
-Compares <collision> of RESULT with <visual> of ORIGINAL, so that one file can be both; but output of decompose with what it was made from,
-as its report says (--source chooses otherwise). A mesh of RESULT counts as what it is, even if some consumers take its convex hull.
+Compares <collision> of RESULT with <visual> of ORIGINAL, so that one file can be both; but output of decompose and fit_scene with what it
+was made from, as its report says (--source chooses otherwise). A mesh of RESULT counts as what it is, even if some consumers take its
+convex hull.
 
 Exit status: 0 every link was measured and is within the gates; 1 some link is not, or a mesh of it cannot be read (each is named), or it
 lacks all geometry on one side while there is a gate on it, or a query contradicts a bound; 2 usage error, unreadable input, or no
@@ -80,7 +80,7 @@ void addOptions(CommandLine& app, Command& command) {
 
 std::optional<double> gate(const std::string& text, const std::string& option) {
   if (text.empty()) return std::nullopt;
-  return metresOrZeroIn(text, option);
+  return parsePadding(text, option);
 }
 
 void interpret(Command& command) {

@@ -245,7 +245,8 @@ class Verifier {
   void addNotes(Verification& done) const {
     if (options_.made_from)
       done.notes.push_back("RESULT is compared with the elements of ORIGINAL that it was made from (--source " +
-                           std::string(name(options_.made_from->source)) + " of decompose), as '" + options_.made_from->report +
+                           std::string(name(options_.made_from->source)) + " of " +
+                           (options_.made_from->fitted ? "fit_scene" : "decompose") + "), as '" + options_.made_from->report +
                            "' says; --source chooses others");
     if (options_.made_from && options_.made_from->close_openings > options_.close_openings)
       done.notes.push_back("RESULT was made with --close-openings " + decimal(1000 * options_.made_from->close_openings, 12) +
@@ -257,6 +258,10 @@ class Verifier {
                            " elsewhere in RESULT's zero configuration, such as '" + elsewhere_.front() +
                            "': links are compared in their own frames, and moved by ORIGINAL's joints");
     noteJoints(done.notes);
+    if (done.missed > 0 && !options_.max_uncovered)
+      done.notes.push_back(counted(done.missed, "collision") +
+                           " missed: 'ok' does not speak of that, as nothing limits how much of ORIGINAL may be uncovered; set " +
+                           "--max-uncovered, 0 for cover without a gap");
     for (const Description* side : {&original_, &result_})
       for (const std::string& note : side->find_package.notes())
         if (std::find(done.notes.begin(), done.notes.end(), note) == done.notes.end()) done.notes.push_back(note);

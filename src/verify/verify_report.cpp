@@ -61,7 +61,7 @@ Cells cells(const LinkVerification& row) {
           shown(both, lengthCell(row.protrusion.found)),
           shown(both, std::to_string(row.missed) + " of " + std::to_string(row.hits)),
           shown(both, std::to_string(row.phantom) + " of " + std::to_string(row.queries - row.hits)),
-          name(row.status)};
+          std::string(name(row.status)) + (row.status == LinkStatus::kOk && row.missed > 0 ? ", but misses" : "")};
 }
 
 /// A line for each of the pairs with the most missed or false collisions, those with most first. `line`: of a pair, after its names.
@@ -88,7 +88,9 @@ std::string pairLines(const Verification& verification) {
            " in which they do not collide in ORIGINAL";
   });
   if (phantom.empty()) return missed;
-  return missed + phantom + kFalse + ": lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n";
+  return missed + phantom + kFalse +
+         ": give these links a tighter model (decompose: a lower tolerance; fit_scene: a smaller clearance); or disable a pair, if it "
+         "never collides in ORIGINAL\n";
 }
 
 /// On links that no query asks for.

@@ -137,11 +137,20 @@ std::string tables(const PageContent& content, const RunControl& control) {
          details("Notes", content.report.notes, true) + "</section>\n";
 }
 
+/// Of each model, if there are several; a link's own tolerance stands in the table alone.
+std::string tolerances(const Options& options) {
+  std::string text;
+  for (const ModelOptions& model : options.models) text += (text.empty() ? "" : ", ") + model.name + " " + toString(model.tolerance);
+  const bool some_own =
+      std::any_of(options.rules.begin(), options.rules.end(), [](const LinkRule& rule) { return rule.settings.tolerance.has_value(); });
+  return (text.empty() ? toString(options.tolerance) : text) + (some_own ? " (of links with their own: see the table)" : "");
+}
+
 std::string footer(const PageContent& content) {
   const Report& report = content.report;
   const Options& options = report.options;
   return "<footer>\n<p>" + escapedHtml(report.input_path) + " \xC2\xB7 SHA-256 " + escapedHtml(report.input_sha256) +
-         "</p>\n<p>tolerance " + escapedHtml(toString(options.tolerance)) + ", method " + name(options.method) + ", effort " +
+         "</p>\n<p>tolerance " + escapedHtml(tolerances(options)) + ", method " + name(options.method) + ", effort " +
          name(options.effort) + " \xC2\xB7 all options and numbers: report.json</p>\n<p>collision_hulls " + version() +
          " \xC2\xB7 <span id=\"drawn-by\"></span></p>\n</footer>\n";
 }

@@ -25,9 +25,16 @@ TEST(FailureCause, TellsFoldersApartIfTheyAreKept) {
   EXPECT_EQ(failureCause("m/a.stl is empty", "m/a.stl", "arm", Folder::kLeftOut), " is empty") << "the first word";
 }
 
+TEST(FailureCause, OfACopyIsThatOfTheFirst) {
+  const std::string reason = "/r/m/a.stl: is empty", copy = reasonOfCopy("m/b.stl", "m/a.stl", reason);
+  EXPECT_EQ(copy, "'m/b.stl' is equal to 'm/a.stl': /r/m/a.stl: is empty");
+  EXPECT_EQ(failureCause(copy, "m/b.stl", "hand", Folder::kLeftOut), failureCause(reason, "m/a.stl", "arm", Folder::kLeftOut));
+  EXPECT_EQ(failureCause("'m/b.stl' is equal to 'm/a", "m/b.stl", "hand", Folder::kLeftOut), "'' is equal to 'm/a") << "a name was cut";
+}
+
 TEST(FailureCause, SaysHowManyShareIt) {
-  EXPECT_EQ(theSameFor(8, 3), " (the same for 8 more meshes, of 3 links in all)");
-  EXPECT_EQ(theSameFor(1, 1), " (the same for 1 more mesh, of 1 link in all)");
+  EXPECT_EQ(theSameFor(8, 3), " (the same for 8 more, of 3 links in all)");
+  EXPECT_EQ(theSameFor(1, 1), " (the same for 1 more, of 1 link in all)");
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"default: [1]", {"default is a list: use a map"}},
       {"default:", {"default is nothing"}},
       {"default: {tolerance: 0}", {"line 1: default: tolerance '0' is invalid", "positive length"}},
-      {"default: {tolerance: 5}", {"default: tolerance '5m' is more than 1 m", "did you mean 5mm?"}},
+      {"default: {tolerance: 5}", {"default: tolerance '5' is more than 1 m", "did you mean 5mm?"}},
       {"links:\n  arm: {padding: 2m}", {"line 2: links 'arm': padding '2m' is more than 1 m"}},
       {"default: {tolerance: {limit: 1}}", {"tolerance of default is a map"}},
       {"default: {tolerance: }", {"tolerance of default is nothing"}},

@@ -81,6 +81,7 @@ TEST(ParseRegions, EveryWayToGetThemWrong) {
       {"{" + box + ", tolerance: 5%}", {"region 1: tolerance '5%' is invalid"}},
       {"{" + box + ", tolerance: -1mm}", {"region 1: tolerance '-1mm' is invalid"}},
       {"{" + box + ", tolerance: 2m}", {"line 2: region 1: tolerance '2m' is more than 1 m"}},
+      {"{" + box + ", tolerance: 2}", {"line 2: region 1: tolerance '2' is more than 1 m", "did you mean 2mm?"}},
       {"{" + box + ", tolerance: [1]}", {"tolerance of region 1 is a list"}},
       {"{box: {center: [0, 0, 0]}, " + clear + "}", {"box of region 1 has no size", "size: ["}},
       {"{box: {size: [1, 1]}, " + clear + "}", {"size of box of region 1 has 2 entries: use a list of three numbers"}},

@@ -241,6 +241,7 @@ TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
   for (const std::string& missed : {alone, alone + mesh, "<visual>" + box + "</visual>", cube() + alone})
     for (const std::string& said : {before(missed), after(missed)})
       EXPECT_NE(said.find("link 'c' has other collision elements than spheres"), std::string::npos) << missed << ": " << said;
+  EXPECT_EQ(before(alone).find("remove"), std::string::npos) << "cuRobo would miss it all the same: " << before(alone);
   const std::string flat = "<collision><geometry><box size=\"1 0 1\"/></geometry></collision>";  // stays, as all primitives there
   EXPECT_NE(before(cube() + flat), "");
   for (const std::string& taken : {cube(), ball, mesh, mesh + ball, std::string()}) {
@@ -252,15 +253,17 @@ TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
     const std::string urdf = fixtures::robot("one", fixtures::link("c", content));
     return refusal([&] { check({Consumer::kCurobo}, options_, parseRobotDescription(urdf)); });
   };
-  EXPECT_NE(of_one(alone + mesh, Source::kCollision).find("choose --source visual, remove"), std::string::npos);
+  EXPECT_NE(of_one(alone + mesh, Source::kCollision)
+                .find("choose --source visual, describe them by spheres or by meshes that are not kept, or leave --for"),
+            std::string::npos);
   EXPECT_EQ(of_one(alone, Source::kCollision).find("--source visual"), std::string::npos) << "it does not help";
   EXPECT_NE(of_one(alone, Source::kCollision), "");
   EXPECT_EQ(of_one(alone + mesh, Source::kVisual), "");
   options_.source = Source::kAuto;
   options_.links = "a";
-  EXPECT_NE(before(alone).find("leave --links out, remove"), std::string::npos) << before(alone);
+  EXPECT_NE(before(alone).find("leave --links out, describe"), std::string::npos) << before(alone);
   options_.links_place = "'f.yaml', line 1";
-  EXPECT_NE(before(alone).find("leave 'only' out, remove"), std::string::npos) << before(alone);
+  EXPECT_NE(before(alone).find("leave 'only' out, describe"), std::string::npos) << before(alone);
 }
 
 TEST_F(Consumers, CuroboIsRefusedForAllLinksAtOnce) {

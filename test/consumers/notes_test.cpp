@@ -33,6 +33,8 @@ TEST_F(ConsumerNotes, SayWhatTheyLeaveOut) {
     for (const char* part :
          {"link 'b' has a mesh that is not a hull of this output; the file leaves it out", "(its action is decompose, and"})
       EXPECT_NE(notesOf(consumer, urdf).find(part), std::string::npos) << notesOf(consumer, urdf);
+  EXPECT_NE(notesOf(Consumer::kMujoco, urdf).find("leaves it out, as MuJoCo would take its convex hull, which"), std::string::npos);
+  EXPECT_NE(notesOf(Consumer::kIsaac, urdf).find("leaves it out, as the reader would choose an approximation of it;"), std::string::npos);
   for (const Consumer consumer : {Consumer::kGazebo, Consumer::kDart})
     EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos) << "it has the mesh";
   options_.links.clear();

@@ -68,9 +68,9 @@ TEST_F(SettingsFormTest, WhatIsRefusedIsNamedWithItsValue) {
   show();
   for (const auto& [field, text, message] :
        {std::tuple("close_openings", "wide", "close openings 'wide' is invalid: use 0 or a positive length"),
-        std::tuple("close_openings", "20", "close openings '20m' is more than 1 m"),
+        std::tuple("close_openings", "20", "close openings '20' is more than 1 m"),
         std::tuple("close_openings", "5%", "close openings '5%' is invalid"), std::tuple("tolerance_text", "seven", "tolerance 'seven' is"),
-        std::tuple("tolerance_text", "20", "tolerance '20m' is more than 1 m")}) {
+        std::tuple("tolerance_text", "20", "tolerance '20' is more than 1 m")}) {
     type(field, text);
     EXPECT_EQ(0u, told().find(message)) << told();
     EXPECT_FALSE(changed_);
@@ -90,7 +90,7 @@ TEST_F(SettingsFormTest, CountsHullsAndPrimitives) {
   LinkTable links;
   links.take({row_});
   const TableModel table(links);
-  EXPECT_EQ("3, 1 primitive", table.data(table.index(0, TableModel::kHulls), Qt::DisplayRole).toString());
+  EXPECT_EQ("3 hulls and 1 primitive", table.data(table.index(0, TableModel::kHulls), Qt::DisplayRole).toString());
   EXPECT_EQ(4, table.data(table.index(0, TableModel::kHulls), TableModel::kSortRole).toInt());
 }
 

@@ -139,12 +139,18 @@ TEST(PutTogether, NotesMeshesOfVeryManyHulls) {
     return result.report.notes;
   };
   EXPECT_TRUE(notes(39, 39, false).empty());
-  EXPECT_EQ(
-      notes(40, 39, false),
-      std::vector<std::string>{"'a.stl' took 40 hulls at a tolerance of 10 mm: a larger tolerance makes fewer; so does a limit, as in "
-                               "--max-hulls 16"});
+  EXPECT_EQ(notes(40, 39, false),
+            std::vector<std::string>{"'a.stl' took 40 hulls at a tolerance of 10 mm: a larger tolerance makes fewer, also for single links "
+                                     "('links: {a: {tolerance: 2cm}}' in a configuration); so does a limit, as in --max-hulls 16"});
   EXPECT_EQ(notes(41, 42, false).at(0).find("'b.stl' took 42 hulls at a tolerance of 10 mm; 1 other mesh is like it: "), 0u);
   EXPECT_TRUE(notes(101, 100, true).empty()) << "a fit to a scene chose them";
+  for (const bool single_mesh : {true, false}) {
+    RobotResult result;
+    result.single_mesh = single_mesh;
+    result.robot_name = "part";
+    putTogether({use(single_mesh ? "a" : "a.b")}, {shared(boxes(40))}, result);
+    EXPECT_NE(result.report.notes.at(0).find("makes fewer; so"), std::string::npos) << "no link, or a name to be quoted";
+  }
   MeshUse with_region = use("a");
   with_region.options.regions = {boxRegion({1, 1, 1}, Eigen::Isometry3d::Identity(), 0.02),
                                  boxRegion({1, 1, 1}, Eigen::Isometry3d::Identity(), 0.001)};
@@ -322,6 +328,36 @@ TEST(PutTogether, NotesOpeningsThatWereClosed) {
   EXPECT_EQ(result.report.notes,
             (std::vector<std::string>{"3 openings of 1 mesh were closed: the hulls cover the lids, too, and protrusion "
                                       "is measured from the closed meshes"}));
+}
+
+TEST(PutTogether, NotesWidthsThatCloseNothing) {
+  const auto notes = [](const std::vector<MeshResult>& meshes, const std::vector<double>& widths) {
+    std::vector<MeshUse> uses;
+    MeshResults results;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      uses.push_back(use(std::string(1, static_cast<char>('a' + i))));
+      uses.back().options.close_openings = widths[i];
+      results.push_back(shared(meshes[i]));
+    }
+    RobotResult result;
+    putTogether(uses, results, result);
+    return result.report.notes;
+  };
+  MeshResult solid = boxes(1), open = boxes(1), closed = boxes(1), failed = boxes(0);
+  open.mesh.openings = 3;
+  open.mesh.widest_opening = 0.1234;
+  closed.mesh.closed_openings = 1;
+  failed.status = Status::kFailed;
+  using Notes = std::vector<std::string>;
+  const std::string idle = "closing openings of up to 2cm changes nothing: ";
+  EXPECT_TRUE(notes({solid, failed}, {0, 0.02}).empty());
+  EXPECT_EQ(notes({solid, solid}, {0.02, 0}), Notes{idle + "'a.stl' has none"});
+  EXPECT_EQ(notes({solid, solid}, {0.02, 0.02}), Notes{idle + "none of 2 meshes has any"});
+  EXPECT_EQ(notes({solid, open}, {0.02, 0.02}), Notes{idle + "'b.stl' has 3 openings, up to 124 mm wide"});
+  EXPECT_EQ(notes({closed, open}, {0.02, 0.02}).size(), 1u) << "what was closed";
+  const Notes both = notes({closed, open}, {0.05, 0.02});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[1], idle + "'b.stl' has 3 openings, up to 124 mm wide");
 }
 
 TEST(PutTogether, TheScaleOfAHugeMeshIsWhereItsInputHasIt) {

@@ -31,7 +31,7 @@ TEST(CheckText, NumbersOfBodies) {
   EXPECT_EQ(countedBodies(1, 2), "1 hull and 2 primitives");
   EXPECT_EQ(countedBodies(0, 1), "1 primitive");
   EXPECT_EQ(bodiesInColumn(3, 0), "3");
-  EXPECT_EQ(bodiesInColumn(3, 1), "3, 1 primitive");
+  EXPECT_EQ(bodiesInColumn(3, 1), "3 hulls and 1 primitive");
   EXPECT_EQ(bodiesInColumn(0, 2), "2 primitives");
 }
 

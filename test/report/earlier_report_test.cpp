@@ -51,10 +51,10 @@ TEST_F(EarlierReport, OfTensOfThousandsOfRows) {
 }
 
 TEST_F(EarlierReport, WhatTheModelWasMadeFrom) {
-  const auto written = [&](const std::string& rows) {
+  const auto written = [&](const std::string& rows, const std::string& more = "") {
     fixtures::write(file(),
                     R"({"collision_hulls": "1", "files": [], "input": {"path": "a", "sha256": "12"}, "options": {"source": "visual"}, )" +
-                        std::string("\"links\": [") + rows + "]}");
+                        more + "\"links\": [" + rows + "]}");
     return earlierSource(folder_.path());
   };
   const auto source = written(R"({"link": "a", "source": "collision", "status": "ok", "files": [], "close_openings": 0.25},)"
@@ -64,6 +64,8 @@ TEST_F(EarlierReport, WhatTheModelWasMadeFrom) {
   EXPECT_EQ(source->source, Source::kVisual);
   EXPECT_EQ(source->close_openings, 0.25);
   EXPECT_EQ(source->of_link, (std::map<std::string, Source>{{"a", Source::kCollision}, {"b", Source::kVisual}}));
+  EXPECT_FALSE(source->fitted);
+  EXPECT_TRUE(written("", R"("scene": {"name": "table", "links": []}, )")->fitted);
   EXPECT_FALSE(written(R"({"link": "a"})"));
   EXPECT_FALSE(written("5"));
   fs::remove(file());

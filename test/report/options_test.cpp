@@ -175,6 +175,16 @@ TEST(CheckOptions, MetresThatWereMeantAsMillimetres) {
   EXPECT_NE(badOption([&] { check(options); }).find("tree '2m'"), std::string::npos);
 }
 
+TEST(ParseTolerance, QuotesWhatWasTyped) {
+  EXPECT_EQ(parseTolerance("100cm").limit, 1);
+  EXPECT_EQ(parseTolerance("1%").share, 0.01);
+  const auto refused = [](const std::string& text) { return badOption([&] { parseTolerance(text); }); };
+  EXPECT_EQ(refused("5").rfind("tolerance '5' is more than 1 m", 0), 0u) << refused("5");
+  EXPECT_NE(refused("5").find(": a number without a unit is in metres; did you mean 5mm?"), std::string::npos) << refused("5");
+  EXPECT_NE(refused("5m").find("a mesh; did you mean 5mm?"), std::string::npos) << refused("5m");
+  EXPECT_NE(badOption([] { parsePadding("2", "padding"); }).find("padding '2' is more than 1 m"), std::string::npos);
+}
+
 TEST(Profiles, SetBothCaps) {
   struct {
     const char* profile;

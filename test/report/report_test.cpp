@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/failure_cause.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -195,7 +197,7 @@ TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
   report.links[1].primitives = 2;
   report.links[1].hulls = report.links[1].hull_vertices = 0;
   const std::string table = toTable(report);
-  for (const char* part : {"  3, 1 primitive        24  ", "  2 primitives         -  ", "check of single meshes: 400 queries",
+  for (const char* part : {"  3 hulls and 1 primitive        24  ", "  2 primitives         -  ", "check of single meshes: 400 queries",
                            "The tolerance is that of the finest hulls", "speed of single meshes: ",
                            "self-collisions in 0 configurations; false ones count at any distance, also within the clearance:\n",
                            "collisions  false with single hulls  false with fitted hulls",
@@ -321,9 +323,8 @@ TEST(Report, OneLineForTheSameFault) {
   add("tip", "meshes/d.stl", "is missing");
   add("tip", "meshes/e.stl", "is empty");
   add("tip", "other/f.stl", "is missing");
-  EXPECT_EQ(failures(report),
-            (std::vector<std::string>{"link base: 'meshes/a.stl' is missing (the same for 3 more meshes, of 2 links in all)",
-                                      "link tip: 'meshes/e.stl' is empty", "link tip: 'other/f.stl' is missing"}));
+  EXPECT_EQ(failures(report), (std::vector<std::string>{"link base: 'meshes/a.stl' is missing (the same for 3 more, of 2 links in all)",
+                                                        "link tip: 'meshes/e.stl' is empty", "link tip: 'other/f.stl' is missing"}));
 }
 
 /// The lines for failures of as many links.
@@ -348,8 +349,18 @@ TEST(Report, OneLineForAFormatInSeveralFolders) {
                          row.reason =
                              "/opt/arm/meshes/" + row.link + "/part" + std::to_string(i) + ".3dxml: extension '.3dxml' is not supported";
                        }),
-            (std::vector<std::string>{"link l0: /opt/arm/meshes/l0/part0.3dxml: extension '.3dxml' is not supported (the same for 4 more "
-                                      "meshes, of 5 links in all)"}));
+            (std::vector<std::string>{"link l0: /opt/arm/meshes/l0/part0.3dxml: extension '.3dxml' is not supported (the same for 4 more, "
+                                      "of 5 links in all)"}));
+}
+
+TEST(Report, OneLineForCopiesOfAMesh) {
+  const std::vector<std::string> lines = failuresOf(5, [](int i, ElementReport& row) {
+    const std::string first = "m/part0.stl", reason = "/opt/arm/m/part0.stl: the file is cut off";
+    row.error = "NotAMesh";
+    row.uri = "m/part" + std::to_string(i) + ".stl";
+    row.reason = i == 0 ? reason : reasonOfCopy(row.uri, first, reason);
+  });
+  EXPECT_EQ(lines, std::vector<std::string>{"link l0: /opt/arm/m/part0.stl: the file is cut off (the same for 4 more, of 5 links in all)"});
 }
 
 TEST(Report, OneLineForAnElementThatUrdfdomDoesNotKnow) {
@@ -363,7 +374,7 @@ TEST(Report, OneLineForAnElementThatUrdfdomDoesNotKnow) {
   const std::vector<std::string> lines = failuresOf(7, fault);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0].find("link l0: <capsule>: 'arm.urdf', line 95: "), 0u) << lines[0];
-  EXPECT_NE(lines[0].find("correct it (the same for 5 more meshes, of 6 links in all)"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("correct it (the same for 5 more, of 6 links in all)"), std::string::npos) << lines[0];
   EXPECT_EQ(lines[1].find("link l6: <cone>: 'arm.urdf', line 113: "), 0u) << lines[1];
 }
 

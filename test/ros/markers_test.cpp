@@ -207,7 +207,7 @@ TEST(DrawResult, LabelsSayWhatALinkHas) {
   const MarkerList labels = drawResult(robot({element("arm", 5), element("hand", 1)}), {}, nullptr, 1).labels;
   ASSERT_EQ(4u, labels.size());
   EXPECT_EQ("arm: 5 hulls, 12.4 mm", labels[0].text);
-  EXPECT_EQ("hand: 1 hull, 2 primitives, 12.4 mm", labels[2].text);
+  EXPECT_EQ("hand: 1 hull and 2 primitives, 12.4 mm", labels[2].text);
 }
 
 TEST(DrawResult, LabelsNeverOverlap) {

@@ -46,7 +46,7 @@ def changed_pixels(before, after):
 
 
 def bodies(row):
-    """Hulls and primitives, as in "3, 1 primitive"."""
+    """Hulls and primitives, as in "3 hulls and 1 primitive"."""
     return sum(int(number) for number in re.findall(r"\d+", row[HULLS]))
 
 

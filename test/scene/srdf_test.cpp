@@ -86,6 +86,22 @@ TEST(Srdf, IgnoresLinksOfOtherRobots) {
   EXPECT_NE(read.notes[0].find("'gripper'"), std::string::npos);
 }
 
+TEST(Srdf, AMisspeltLinkIsGuessed) {
+  const RobotDescription arm = parseRobotDescription(
+      "<robot name='r'><link name='base'/><link name='forearm'/><joint name='j' type='fixed'><parent link='base'/><child link='forearm'/>"
+      "</joint></robot>");
+  const auto notes = [&](const std::string& unknown) {
+    return parseDisabledPairs("<robot name='r'><disable_collisions link1='base' link2='" + unknown +
+                                  "'/><disable_collisions link1='base' link2='forearm'/></robot>",
+                              arm)
+        .notes;
+  };
+  EXPECT_EQ(notes("foream"), std::vector<std::string>{"SRDF: 1 pair names links that the robot does not have, first 'foream' (did you mean "
+                                                      "'forearm'?); it is left out"});
+  EXPECT_EQ(notes("gripper"),
+            std::vector<std::string>{"SRDF: 1 pair names links that the robot does not have, first 'gripper'; it is left out"});
+}
+
 TEST(Srdf, ThatOfAnotherRobotIsRefused) {
   for (const std::string pair : {"<disable_collisions link1='a' link2='gripper'/>", "<disable_default_collisions link='gripper'/>"})
     expectError(ErrorCode::kNotAnSrdf, {"the robot 'r'", "no 'gripper'", "give the SRDF of this robot"}, [&] { parse(pair); });

@@ -18,6 +18,7 @@ class ForOption : public ProgramTest {
 
 TEST_F(ForOption, WrongUse) {
   expectWrongUse("r.urdf --for moveit3", {"--for", "'moveit3'", "moveit, gazebo, mujoco, drake, isaac"});
+  expectWrongUse("r.urdf --for moveit,mujoco", {"--for 'moveit,mujoco' is a list, and takes one name: repeat --for, as in"});
   expectWrongUse("r.urdf --for drake --format stl", {"--for drake", "format 'stl'", "leave the format out"});
   expectWrongUse("cube.obj --for gazebo", {"--for gazebo", "is a mesh"});
 }

@@ -48,6 +48,9 @@ TEST_F(VerifyProgram, WrongUse) {
   expectWrongUse("bracket.obj hulls.obj --links '['", {"--links"});
   expectWrongUse("bracket.obj hulls.obj --json nowhere/r.json",
                  {"--json: cannot write 'nowhere/r.json': there is no folder 'nowhere'; create it, or give another file"});
+  std::filesystem::create_symlink("nowhere/r.json", folder_ / "link.json");
+  expectWrongUse("bracket.obj hulls.obj --json link.json", {"--json: cannot write 'link.json': there is no folder 'nowhere'"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "nowhere"));
   fixtures::write(folder_ / "r.urdf", fixtures::robot("r", fixtures::link("a", "")));
   expectWrongUse("bracket.obj r.urdf", {"bracket.obj", "is a mesh", "two robots or two meshes"});
   expectWrongUse("r.urdf r.urdf", {"nothing to compare"});
@@ -158,7 +161,7 @@ TEST_F(VerifyProgram, MissingMeshesOfAFolderAreSaidOnce) {
   const std::string many = said(9);
   EXPECT_EQ(fixtures::count(many, "\n"), 1u) << many;
   EXPECT_EQ(many.rfind("verify: l0: ORIGINAL: 'lost/0.stl' resolves to ", 0), 0u) << many;
-  EXPECT_NE(many.find(" (the same for 8 more meshes, of 9 links in all)\n"), std::string::npos) << many;
+  EXPECT_NE(many.find(" (the same for 8 more, of 9 links in all)\n"), std::string::npos) << many;
 }
 
 TEST_F(VerifyProgram, ProposesCommandsWithBothDescriptions) {
@@ -196,6 +199,11 @@ TEST_F(VerifyProgram, OutputOfDecomposeIsComparedWithWhatItWasMadeFrom) {
   EXPECT_EQ(by_report["options"]["made-from"], folder_ / "out/report.json");
   ASSERT_FALSE(by_report["notes"].empty());
   EXPECT_NE(by_report["notes"][0].get<std::string>().find("--source auto of decompose"), std::string::npos) << by_report["notes"];
+
+  json fit = json::parse(fixtures::read(folder_ / "out/report.json"));
+  fit["scene"] = {{"name", "table"}};
+  fixtures::write(folder_ / "out/report.json", fit.dump());
+  EXPECT_NE(measured("r.urdf out/urdf/r.urdf")["notes"][0].get<std::string>().find("--source auto of fit_scene"), std::string::npos);
 
   for (const std::string source : {"visual", "auto"}) {
     const json chosen = measured("r.urdf out/urdf/r.urdf --source " + source);

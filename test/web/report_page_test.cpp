@@ -67,6 +67,19 @@ TEST(ReportPage, ThreeJsComesWithItsLicence) {
   EXPECT_EQ(count(reportPage(sample.content(), ""), "Permission is hereby granted"), 0u);
 }
 
+TEST(ReportPage, TheFootersToleranceIsThatOfOtherLinksAndOfEachModel) {
+  Sample sample;
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance 1cm,5%, method"), 1u);
+  LinkRule rule{"hand", {}, ""};
+  rule.settings.method = Method::kHacd;
+  sample.report.options.rules = {rule};
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance 1cm,5%, method"), 1u);
+  sample.report.options.rules[0].settings.tolerance = lengthOf(0.002);
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance 1cm,5% (of links with their own: see the table), method"), 1u);
+  sample.report.options.models = {{"planning", lengthOf(0.01)}, {"contact", lengthOf(0.001)}};
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance planning 1cm, contact 1mm (of links"), 1u);
+}
+
 TEST(ReportPage, AChoiceOfSeveralModels) {
   Sample sample;
   EXPECT_EQ(count(reportPage(sample.content(), ""), "<select"), 0u);

@@ -50,13 +50,16 @@ constexpr Length shareOf(double share) {
 /// for a value that is not positive or not finite, and for a percentage above 100; the message
 /// names the `option` and says what it takes.
 Length parseLength(const std::string& text, const std::string& option = "tolerance");
+/// As parseLength(), up to 1 m; for lengths that are more, as 5 where 5mm was meant, the message
+/// quotes the text and says what was probably meant.
+Length parseTolerance(const std::string& text, const std::string& option = "tolerance");
 std::string toString(const Length& length);  ///< parseLength reads it back: "5mm", "1%", "1cm,5%"
 
 /// [m] Reads a length alone, without shares and pairs. Throws as parseLength.
 double parseMetres(const std::string& text, const std::string& option);
 /// As parseMetres(), but 0 is allowed.
 double parseMetresOrZero(const std::string& text, const std::string& option);
-/// As parseMetresOrZero(), up to 1 m. For widths of openings, too.
+/// As parseMetresOrZero(), up to 1 m like parseTolerance(). For widths of openings, too.
 double parsePadding(const std::string& text, const std::string& option = "padding");
 
 enum class UriStyle { kPackage, kFile, kRelative };

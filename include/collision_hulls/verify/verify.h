@@ -37,6 +37,7 @@ struct MadeFrom {
   std::string report;             ///< the file that says so
   Source source = Source::kAuto;  ///< LinkOptions::source: kAuto prefers a link's `<collision>`
   double close_openings = 0;      ///< [m] what was closed before; the largest where links differ
+  bool fitted = false;            ///< to a scene, by fit_scene and not decompose
   /// kVisual or kCollision, of the links whose meshes were decomposed
   std::map<std::string, Source> of_link;
 };

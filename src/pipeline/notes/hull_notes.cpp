@@ -2,6 +2,7 @@
 #include "pipeline/notes/hull_notes.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -24,6 +25,7 @@ constexpr std::size_t kMostOfModel = 100'000;  // triangles: a collision mesh of
 constexpr std::size_t kOthersOfModel = 10;     // one in so many triangles may belong to a part that is not convex
 constexpr double kNearlyAll = 0.9;             // of the vertices that hulls may have
 constexpr std::size_t kSeveral = 4;            // hulls of a mesh that might take one
+constexpr std::size_t kLongestName = 60;       // of a link, in a note
 
 /// Why a mesh took many hulls.
 enum class Cause { kVertexLimit, kConvexParts, kLooseParts, kOpenShell, kDetail, kNone };
@@ -121,13 +123,22 @@ const Region* finestRegion(const ElementReport& row) {
   return finest == row.regions_given.end() ? nullptr : &*finest;
 }
 
-std::string detailText(const ElementReport& row, std::size_t others) {
+/// How a configuration gives the row's link alone a tolerance of about twice its own. Empty for a name that is no plain word, which would
+/// have to be quoted there.
+std::string largerToleranceText(const ElementReport& row) {
+  const auto is_plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  if (row.link.size() > kLongestName || !std::all_of(row.link.begin(), row.link.end(), is_plain)) return "";
+  const double tolerance = std::min(std::ceil(2000 * row.tolerance) / 1000, kLargestTolerance);
+  return ", also for single links ('links: {" + row.link + ": {tolerance: " + toString(lengthOf(tolerance)) + "}}' in a configuration)";
+}
+
+std::string detailText(const ElementReport& row, std::size_t others, bool single_mesh) {
   const Region* const region = finestRegion(row);
   const bool is_finer = region && region->tolerance < row.tolerance;
   return took(row) + " at a tolerance of " + millimetres(row.tolerance) +
          (is_finer ? " and, in region '" + region->name + "', of " + millimetres(region->tolerance) : "") + likeIt(others) + ": " +
          (is_finer ? "a smaller region, or a larger tolerance in it, may make fewer" : "a larger tolerance makes fewer") +
-         "; so does a limit, as in --max-hulls 16";
+         (is_finer || single_mesh ? "" : largerToleranceText(row)) + "; so does a limit, as in --max-hulls 16";
 }
 
 std::string noteOn(Cause cause, const Alike& alike, bool single_mesh) {
@@ -137,7 +148,7 @@ std::string noteOn(Cause cause, const Alike& alike, bool single_mesh) {
       case Cause::kConvexParts: return convexPartsText(*alike.most, alike.parts, alike.others, single_mesh);
       case Cause::kLooseParts: return loosePartsText(*alike.most, alike.others);
       case Cause::kOpenShell: return openShellText(*alike.most, alike.others);
-      case Cause::kDetail: return detailText(*alike.most, alike.others);
+      case Cause::kDetail: return detailText(*alike.most, alike.others, single_mesh);
       case Cause::kNone: break;
     }
     return std::string();

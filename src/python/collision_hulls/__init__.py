@@ -213,7 +213,7 @@ def fit_scene(
 
     path: a .urdf or .xacro file, or a ROS package's name.
     scene: what stands around the robot, in the frame of its root link: a .scene, .urdf, .sdf, .world, .bt, .ot or .yaml file, or a mesh.
-    clearance: wherever the robot keeps this distance from the scene and from itself, the model does not collide, except in a share of the
+    clearance: wherever the robot keeps this distance from the scene and from itself, the model does not collide, except in a share of all
         configurations that report["scene"]["phantom_rate_bound"] bounds.
     tolerance: that of the finest hulls.
     options: every other option of the program, with _ for -: samples=100000, srdf="arm.srdf", configurations="path.csv", hulls_only=True.

@@ -70,8 +70,7 @@ LinkOptions toOptions(const LinkChoice& settings) {
   const std::string link = "link '" + settings.link + "': ";
   LinkOptions options;
   readNamed(link + "action", settings.action, actionNamed, "decompose, keep, remove", options.action);
-  if (!settings.tolerance.empty()) options.tolerance = parseLength(settings.tolerance, link + "tolerance");
-  checkTolerance(options.tolerance, link + "tolerance");
+  if (!settings.tolerance.empty()) options.tolerance = parseTolerance(settings.tolerance, link + "tolerance");
   readNamed(link + "method", settings.method, methodNamed, methodChoices(), options.method);
   readNamed(link + "effort", settings.effort, effortNamed, effortChoices(), options.effort);
   readNamed(link + "shapes", settings.shapes, shapesNamed, shapesChoices(), options.shapes);

@@ -150,7 +150,7 @@ PlanResults runPlanBenchmark(const Input& robot, const std::vector<Scene>& scene
                              const std::function<void(const PlanRow&)>& take) {
   check(options);
   const Kinematics kinematics(robot.robot);
-  const JointSpace space(kinematics, options.request.joints, options.request.at);
+  const JointSpace space(kinematics, options.joints, options.others);
   ModelMaker maker(robot, options.models, options.request);
   PlanResults results;
   for (const Scene& scene : scenes) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,11 @@
 namespace collision_hulls {
 
 struct PlanOptions {
-  std::size_t queries = 50;  ///< a scene
-  std::uint32_t seed = 1;    ///< > 0; of the queries and of the planner
-  PlannerSettings planner;   ///< its seed is set query by query
+  std::size_t queries = 50;              ///< a scene
+  std::uint32_t seed = 1;                ///< > 0; of the queries and of the planner
+  std::string joints;                    ///< regular expression on their names; empty: all that move
+  std::map<std::string, double> others;  ///< [rad or m] where joints stand that are not planned
+  PlannerSettings planner;               ///< its seed is set query by query
   std::vector<std::string> models = allModels();
   std::vector<CheckerKind> checkers{CheckerKind::kBoxes, CheckerKind::kTrees, CheckerKind::kMoveIt};
   ModelRequest request;

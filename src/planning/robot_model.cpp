@@ -99,8 +99,6 @@ SceneModels ModelMaker::make(const Scene& scene) {
   request.scene = scene;
   request.clearance = options_.clearance;
   request.samples = options_.samples;
-  request.joints = options_.joints;
-  request.at = options_.at;
   const RobotResult fit = fitRobotToScene(robot_.robot, robot_.find_package, request, options_.options, defaultOutput(robot_));
   expectComplete(fit);
   SceneModels result{{}, ignoredPairs(robot_.robot, scene, fit)};

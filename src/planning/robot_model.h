@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,11 +31,9 @@ std::vector<std::string> allModels();
 void checkModels(const std::vector<std::string>& names);  ///< throws kBadOption for a name that is none of these
 
 struct ModelRequest {
-  double clearance = 0.01;           ///< [m] of the fitted model
-  std::size_t samples = 10000;       ///< of the fit
-  std::string joints;                ///< that are planned, and fitted to: a regular expression on their names; empty: all that move
-  std::map<std::string, double> at;  ///< [rad or m] where the others stand
-  Options options;                   ///< of all models: tolerance, cache, jobs
+  double clearance = 0.01;      ///< [m] of the fitted model
+  std::size_t samples = 10000;  ///< of the fit
+  Options options;              ///< of all models: tolerance, cache, jobs
 };
 
 /// The models of a robot that do not depend on the scene, and the names of links for the others.

@@ -50,8 +50,7 @@ void addOptions(CommandLine& app, Command& command) {
       ->required()
       ->check(notEmpty("a folder"));
   add("--queries", command.queries, "N [50]", "Queries a scene")->check(range(1, 1e6));
-  add("--joints", options.request.joints, "REGEX",
-      "Joints that are planned: a regular expression that matches the whole name; default: all");
+  add("--joints", options.joints, "REGEX", "Joints that are planned: a regular expression that matches the whole name; default: all");
   add("--at", command.at, "JOINT=VALUE", "Position of a joint that is not planned [rad or m]; repeatable; default: at rest");
   add("--models", command.models, "LIST",
       "Models, comma-separated, original first: original,single_hull,default,fitted,spheres; default: all");
@@ -78,8 +77,8 @@ void interpret(Command& command) {
   if (!command.models.empty()) options.models = parsedList<std::string>(command.models, same);
   if (!command.checkers.empty()) options.checkers = parsedList<CheckerKind>(command.checkers, checker);
   if (!command.clearance.empty()) options.request.clearance = parseMetres(command.clearance, "--clearance");
-  if (!command.tolerance.empty()) options.request.options.tolerance = parseTolerance(command.tolerance, "--tolerance");
-  options.request.at = jointPositions(command.at, "--at");
+  if (!command.tolerance.empty()) options.request.options.tolerance = lengthIn(command.tolerance, "--tolerance");
+  options.others = jointPositions(command.at, "--at");
   check(options);
 }
 
@@ -93,7 +92,7 @@ int run(Command& command) {
   interpret(command);
   const Input robot = robotOf(command);
   const Kinematics kinematics(robot.robot);
-  const JointSpace space(kinematics, command.options.request.joints, command.options.request.at);
+  const JointSpace space(kinematics, command.options.joints, command.options.others);
   std::vector<Scene> scenes;
   for (const std::string& file : command.scenes) scenes.push_back(readScene(file, robot.find_package, {}, {}, command.package_path));
   fs::create_directories(command.output);

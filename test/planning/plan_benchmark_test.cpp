@@ -116,20 +116,6 @@ TEST_F(PlanBenchmark, ModelsCoverTheSameLinksAndPlansRepeat) {
   EXPECT_TRUE(made.ignored(1, 2)) << "neighbours";
 }
 
-TEST_F(PlanBenchmark, FitsToThePlannedJointsAlone) {
-  Scene scene{"peg", {}};
-  SceneBody peg{"peg", boxShape({0.03, 0.03, 0.05})};
-  peg.pose.translation() = Eigen::Vector3d(0.3, 0.6, 0.05);  // between the channel's walls
-  addBody(scene, peg);
-  options_.request.joints = "lift";
-  const auto bodies = [&](double turn) {
-    options_.request.at = {{"turn", turn}};
-    return ModelMaker(robot_, {kOriginalModel, "fitted"}, options_.request).make(scene).models[1].bodies.size();
-  };
-  EXPECT_EQ(bodies(2), 2u) << "away from the peg: a hull, and the carriage's box";
-  EXPECT_GT(bodies(0), 2u);
-}
-
 TEST_F(PlanBenchmark, ARowForEachQueryModelAndChecker) {
   options_.models = {"original", "single_hull", "default"};
   options_.checkers = {CheckerKind::kBoxes, CheckerKind::kMoveIt};

@@ -26,14 +26,14 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }
 
 std::string nearestName(const std::string& text, const std::vector<std::string>& names) {
-  constexpr std::size_t kShortest = 2;    // letters; less begins too many names
-  constexpr std::size_t kLongest = 1000;  // what is longer is no typing error, and would take long to compare
+  constexpr std::size_t kShortest = 2;  // letters; less begins too many names
+  constexpr std::size_t kLongest = 60;  // what is longer would take long to compare with many names
   if (text.size() < kShortest || text.size() > kLongest) return "";
   std::size_t least = std::max(kShortest, text.size() / 3) + 1;
   std::string nearest;
   for (const std::string& name : names) {
     const bool begins = name.compare(0, text.size(), text) == 0;
-    if (!begins && name.size() >= text.size() + least) continue;  // as many letters to insert
+    if (!begins && (name.size() >= text.size() + least || text.size() >= name.size() + least)) continue;  // as many letters to insert
     const std::size_t distance = begins ? 0 : editDistance(text, name);
     if (distance >= least || distance >= name.size()) continue;
     least = distance;

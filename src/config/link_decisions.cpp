@@ -37,14 +37,11 @@ std::string linkWithMesh(const RobotDescription& robot) {
   return first != robot.links.end() ? first->name : robot.links.empty() ? "base" : robot.links.front().name;
 }
 
-/// For a name that was misspelt, or a star as in a shell. Looks at nothing long, as comparing takes the product of two lengths.
+/// For a name that was misspelt, or a star as in a shell.
 std::string suggestion(const std::string& expression, const RobotDescription& robot) {
-  constexpr std::size_t kLongest = 60;
-  if (expression.size() > kLongest) return "";
   if (const std::string any = didYouMeanAny(expression); !any.empty()) return any;
   std::vector<std::string> names;
-  for (const LinkDescription& link : robot.links)
-    if (link.name.size() <= 2 * kLongest) names.push_back(link.name);
+  for (const LinkDescription& link : robot.links) names.push_back(link.name);
   return didYouMean(expression, names);
 }
 

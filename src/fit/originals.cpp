@@ -24,12 +24,12 @@ bool within(const Body& inner, const Body& outer, const Eigen::Isometry3d& pose)
   return std::any_of(inner.points.begin(), inner.points.end(), [&](const Eigen::Vector3d& p) { return holds(outer, pose * p); });
 }
 
-Body bodyOf(const ConvexHull& hull, const RunControl&) {
-  return {QueryBody(hull), Eigen::Isometry3d::Identity(), nullptr, &hull, {hull.vertices.front()}};
+Body bodyOf(const ConvexHull& hull, const QueryBody& body, const RunControl&) {
+  return {body, Eigen::Isometry3d::Identity(), nullptr, &hull, {hull.vertices.front()}};
 }
 
-Body bodyOf(const TriangleMesh& mesh, const RunControl& control) {
-  return {QueryBody(mesh, control), Eigen::Isometry3d::Identity(), nullptr, nullptr, pointsOfComponents(repair(mesh, {}, control))};
+Body bodyOf(const TriangleMesh& mesh, const QueryBody& body, const RunControl& control) {
+  return {body, Eigen::Isometry3d::Identity(), nullptr, nullptr, pointsOfComponents(repair(mesh, {}, control))};
 }
 
 }  // namespace
@@ -41,8 +41,10 @@ Originals::Originals(const FitProblem& problem, const Assembly& assembly, const 
     const QueryBody& body = meshes.try_emplace(&mesh, mesh.original, control).first->second;
     of_part_[element.link].push_back({body, element.origin, mesh.solid.get(), nullptr, mesh.solid->componentPoints()});
   }
+  std::size_t piece = problem.elements.size();  // of the bodies that are in the model as well
   const auto add = [&](std::size_t part, const auto& body) {
-    of_part_[part].push_back(std::visit([&](const auto& shape) { return bodyOf(shape, control); }, body.shape));
+    const DetailTree& tree = *assembly.pieces()[piece++].tree;
+    of_part_[part].push_back(std::visit([&](const auto& shape) { return bodyOf(shape, tree.body(tree.root()), control); }, body.shape));
   };
   for (const KeptBody& kept : problem.kept) add(kept.link, kept);
   for (std::size_t i = 0; i < problem.scene.bodies.size(); ++i) add(assembly.links() + i, problem.scene.bodies[i]);

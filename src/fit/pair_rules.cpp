@@ -49,8 +49,9 @@ std::vector<Sighting> allPairs(const Assembly& assembly) {
       const bool links = assembly.isLink(b);
       if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, links, links || moves});
       if (pairs.size() > kMostPairs)
-        throw Error(ErrorCode::kTooLarge, "links with geometry and bodies of the scene form more than " + std::to_string(kMostPairs) +
-                                              " pairs; leave out bodies that the robot cannot reach, or join some into meshes");
+        throw Error(ErrorCode::kTooLarge,
+                    "links with geometry and bodies of the scene form more than " + std::to_string(kMostPairs) +
+                        " pairs; leave out bodies that the robot cannot reach, join some into meshes, or remove links");
     }
   }
   return pairs;

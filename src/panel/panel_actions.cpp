@@ -96,7 +96,7 @@ void HullsPanel::undo() {
 }
 
 Length HullsPanel::tree() const {
-  return parseLength(tree_->text().toStdString(), "finest tolerance");
+  return parseTolerance(tree_->text().toStdString(), "finest tolerance");
 }
 
 void HullsPanel::changed(const std::vector<int>& rows) {

@@ -138,16 +138,15 @@ FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisio
                     {}};
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < robot.links.size(); ++i) link_index[robot.links[i].name] = i;
-  std::set<std::string> absent;
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-    if (!meshes[i]) absent.insert(run.uses[i].link);
+  std::set<std::string> failed;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const MeshUse& use = run.uses[i];
-    if (absent.count(use.link)) continue;
+    if (!meshes[i] && use.options.action == Action::kDecompose) failed.insert(use.link);
+    if (!meshes[i]) continue;
     fitted.problem.elements.push_back({use.link + "/" + std::to_string(use.element), link_index[use.link], use.source.origin, meshes[i]});
     fitted.uses.push_back(i);
   }
-  fitted.problem.kept = keptBodies(robot, decisions, absent, find_package, run.options, fitted.notes, control);
+  fitted.problem.kept = keptBodies(robot, decisions, failed, find_package, run.options, fitted.notes, control);
   return fitted;
 }
 

@@ -197,10 +197,11 @@ void noteIdleClosing(Report& report) {
     if (closing.closed > 0) continue;
     const ElementReport& mesh = *closing.widest;
     const std::string why = mesh.openings > 0 ? "'" + mesh.uri + "' has " + counted(mesh.openings, "opening") + ", up to " +
-                                                    millimetres(std::ceil(1000 * mesh.widest_opening) / 1000) + " wide"
+                                                    millimetres(std::ceil(1000 * mesh.widest_opening) / 1000) +
+                                                    " wide, which is the least that closes all of them"
                             : closing.meshes > 1 ? "none of " + std::to_string(closing.meshes) + " meshes has any"
                                                  : "'" + mesh.uri + "' has none";
-    report.notes.push_back("closing openings of up to " + toString(lengthOf(width)) + " changes nothing: " + why);
+    report.notes.push_back("close-openings " + toString(lengthOf(width)) + " closed nothing: " + why);
   }
 }
 

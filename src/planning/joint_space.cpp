@@ -29,12 +29,18 @@ JointSpace::JointSpace(const Kinematics& kinematics, const std::string& pattern,
     : kinematics_(kinematics), others_(kinematics.configuration(others)) {
   const LinkPattern chosen(pattern.empty() ? ".*" : pattern, "joints");
   const std::vector<JointVariable>& all = kinematics.variables();
+  bool held = false;  // is one that would be planned
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!chosen.matches(all[i].name) || !(all[i].lower < all[i].upper)) continue;
+    if (others.count(all[i].name) > 0) {
+      held = true;
+      continue;
+    }
     joints_.push_back(all[i]);
     variables_.push_back(i);
   }
   if (!joints_.empty()) return;
+  if (held) throw Error(ErrorCode::kBadOption, "at holds each joint that could be planned; leave one of them out");
   throw Error(ErrorCode::kBadOption,
               all.empty()
                   ? "the robot has no movable joint, and nothing to plan; give another robot"

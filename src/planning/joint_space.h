@@ -18,8 +18,8 @@ using JointValues = std::vector<double>;
 class JointSpace {
  public:
   /// `pattern`: a regular expression that a joint's whole name must match; empty: all. Joints without room between their limits are left
-  /// out. `others`: where variables stand that are not planned, or at rest. Throws kBadOption for a pattern that no movable joint matches,
-  /// and where Kinematics::configuration() does.
+  /// out. `others`: where variables stand that are not planned; those that it does not name are at rest. Throws kBadOption for a pattern
+  /// that no movable joint matches, where `others` holds all that it matches, and where Kinematics::configuration() does.
   JointSpace(const Kinematics& kinematics, const std::string& pattern, const std::map<std::string, double>& others = {});
 
   const std::vector<JointVariable>& joints() const { return joints_; }

@@ -124,7 +124,7 @@ std::string shortestLength(double metres) {
 /// metres, if that is no longer known; `otherwise`: a sentence on what else helps.
 void expectUnit(const std::string& option, const std::string& text, double metres, bool has_unit, const std::string& otherwise = "") {
   if (!isSet(metres) || metres <= kLargestTolerance) return;
-  const bool is_metres = text.find_first_of("ci") == std::string::npos && text.find("mm") == std::string::npos;
+  const bool is_metres = text.find_first_of("ciu") == std::string::npos && text.find("mm") == std::string::npos;
   const double thousandth = metres / 1000;
   throw Error(ErrorCode::kBadOption,
               option + " '" + text + "' is more than " + decimal(kLargestTolerance) + " m, the largest that makes sense for a mesh" +

@@ -336,8 +336,8 @@ std::vector<std::string> Kinematics::notes() const {
 
 void Kinematics::check(const JointDescription& joint) const {
   const std::string who = "joint '" + joint.name + "' ";
-  if (isFarAway(joint.origin.translation()))
-    throw Error(ErrorCode::kNotARobot, who + "has an origin more than 1000 km away; correct its <origin>");
+  if (isFarAway(joint.origin))
+    throw Error(ErrorCode::kNotARobot, who + "has an origin that is no pose, or more than 1000 km away; correct its <origin>");
   if (!std::isfinite(joint.lower) || !(joint.lower <= joint.upper) || !std::isfinite(joint.upper))
     refuse(who + "has the limits " + decimal(joint.lower) + " and " + decimal(joint.upper) +
            "; give finite ones that do not cross, both 0 where there are none");

@@ -90,7 +90,7 @@ std::optional<Length> readLength(const ros::NodeHandle& node, const std::string&
   if (node.getParam(name, metres)) return lengthOf(metres);
   const std::string text = textParameter(node, name);
   if (text.empty()) return std::nullopt;
-  return parseLength(text, "parameter " + node.resolveName(name));
+  return parseTolerance(text, "parameter " + node.resolveName(name));
 }
 
 /// A number in SI units, or a text with a unit; 0 where the parameter is not set or empty.

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "collision_hulls/scene/scene.h"
 
@@ -30,7 +31,8 @@ struct SceneReading {
 /// Meshes by URI, each file read once.
 class MeshLibrary {
  public:
-  explicit MeshLibrary(const SceneReading& how) : how_(how) {}
+  /// `whose`: what the meshes are of, for messages.
+  explicit MeshLibrary(const SceneReading& how, std::string whose = "this scene") : how_(how), whose_(std::move(whose)) {}
   /// Relative URIs are resolved against the folder of `base` (a file). Throws the errors of resolveUri(), readMesh() and scaled(),
   /// and kTooLarge where all meshes together have more triangles than one may have.
   TriangleMesh read(const std::string& uri, const Eigen::Vector3d& scale, const std::string& base);
@@ -40,6 +42,7 @@ class MeshLibrary {
 
  private:
   const SceneReading& how_;
+  const std::string whose_;
   std::map<std::string, TriangleMesh> by_path_;
   std::size_t triangles_ = 0;  // of all that were returned
 };

@@ -77,7 +77,7 @@ void interpret(Command& command) {
   if (!command.models.empty()) options.models = parsedList<std::string>(command.models, same);
   if (!command.checkers.empty()) options.checkers = parsedList<CheckerKind>(command.checkers, checker);
   if (!command.clearance.empty()) options.request.clearance = parseMetres(command.clearance, "--clearance");
-  if (!command.tolerance.empty()) options.request.options.tolerance = lengthIn(command.tolerance, "--tolerance");
+  if (!command.tolerance.empty()) options.request.options.tolerance = parseTolerance(command.tolerance, "--tolerance");
   options.others = jointPositions(command.at, "--at");
   check(options);
 }

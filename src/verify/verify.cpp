@@ -259,9 +259,8 @@ class Verifier {
                            "': links are compared in their own frames, and moved by ORIGINAL's joints");
     noteJoints(done.notes);
     if (done.missed > 0 && !options_.max_uncovered)
-      done.notes.push_back(counted(done.missed, "collision") +
-                           " missed: 'ok' does not speak of that, as nothing limits how much of ORIGINAL may be uncovered; set " +
-                           "--max-uncovered, 0 for cover without a gap");
+      done.notes.push_back(counted(done.missed, "collision") + (done.missed == 1 ? " was" : " were") +
+                           " missed, and no gate limits how much of ORIGINAL is uncovered: set --max-uncovered, 0 for cover without a gap");
     for (const Description* side : {&original_, &result_})
       for (const std::string& note : side->find_package.notes())
         if (std::find(done.notes.begin(), done.notes.end(), note) == done.notes.end()) done.notes.push_back(note);

@@ -143,7 +143,7 @@ std::string tolerances(const Options& options) {
   for (const ModelOptions& model : options.models) text += (text.empty() ? "" : ", ") + model.name + " " + toString(model.tolerance);
   const bool some_own =
       std::any_of(options.rules.begin(), options.rules.end(), [](const LinkRule& rule) { return rule.settings.tolerance.has_value(); });
-  return (text.empty() ? toString(options.tolerance) : text) + (some_own ? " (of links with their own: see the table)" : "");
+  return (text.empty() ? toString(options.tolerance) : text) + (some_own ? "; some links have their own, see the table" : "");
 }
 
 std::string footer(const PageContent& content) {

@@ -37,6 +37,8 @@ TEST(NearestName, TheOneThatWasMeant) {
   const std::string endless(10'000'000, 'x');  // to be compared letter by letter, it would take hours
   EXPECT_EQ(nearestName(endless, {endless + "y"}), "");
   EXPECT_EQ(nearestName("tolerence", {endless, "tolerance"}), "tolerance");
+  const std::string long_name(1000, 'x');  // with tens of thousands of names, it would take minutes
+  EXPECT_EQ(nearestName(long_name + "y", {long_name}), "");
 }
 
 TEST(DidYouMean, AQuestionOrNothing) {

@@ -131,12 +131,7 @@ TEST_F(FitRobotToScene, WhatIsKeptTakesPartAsItIs) {
   request_.primitives = false;
   RobotResult result;
   const auto hullsOfBase = [&](const std::string& peg) {
-    const std::string robot = fixtures::link("base", bracket()) + fixtures::link("wheel", "") + fixtures::link("peg", peg) +
-                              "<joint name=\"turn\" type=\"continuous\"><parent link=\"base\"/><child link=\"wheel\"/>"
-                              "<origin xyz=\"0.075 0.075 0.05\"/><axis xyz=\"0 0 1\"/></joint>"
-                              "<joint name=\"lift\" type=\"prismatic\"><parent link=\"wheel\"/><child link=\"peg\"/><axis xyz=\"0 0 1\"/>"
-                              "<limit lower=\"0\" upper=\"0.01\" effort=\"1\" velocity=\"1\"/></joint>";
-    result = run(robot);
+    result = run(pegInNotch(bracket(), peg));
     return result.elements.at(0).hulls.size();
   };
   const std::string mesh = collision(fixtures::meshTag("../meshes/peg.obj"));
@@ -149,13 +144,38 @@ TEST_F(FitRobotToScene, WhatIsKeptTakesPartAsItIs) {
   EXPECT_EQ(hullsOfBase(mesh), 2u) << "the peg turns in the notch";
   EXPECT_EQ(result.report.scene->phantom, 0u);
   EXPECT_EQ(hullsOfBase(collision("<geometry><box size=\"0.03 0.03 0.03\"/></geometry>")), 2u);
-  EXPECT_EQ(hullsOfBase(collision(fixtures::meshTag("../meshes/rubbish.stl"))), 1u);
-  EXPECT_TRUE(isNoted(result, "rubbish.stl")) << result.report.notes.back();
-  EXPECT_TRUE(isNoted(result, "; the fit knows nothing of this element, so collisions there were not sampled"));
+  for (const std::string& bad :
+       {std::string("rubbish.stl\""), std::string("peg.obj\" scale=\"0.001 0.001\""), std::string("peg.obj\" scale=\"1e300 1 1\"")}) {
+    EXPECT_EQ(hullsOfBase(collision("<geometry><mesh filename=\"../meshes/" + bad + "/></geometry>") + mesh), 1u);
+    EXPECT_TRUE(isNoted(result, ": the fit leaves what link 'peg' keeps out, so collisions with it were not checked")) << bad;
+    EXPECT_EQ(result.extra_files.begin()->second.find("peg"), std::string::npos) << "what is known of a part is not said of the whole";
+  }
   options_.rules.clear();
   options_.links = "base";
   EXPECT_EQ(hullsOfBase(mesh), 2u) << "a link that is not chosen is there all the same";
   EXPECT_TRUE(isNoted(result, "links that 'base' does not match stay as they are, also in the fit"));
+}
+
+TEST_F(FitRobotToScene, WhatStaysForOtherReasonsTakesPartToo) {
+  fixtures::write(folder_ / "meshes/peg.obj", fixtures::obj(surface(boxShape(Eigen::Vector3d::Constant(0.03)))));
+  request_.scene.bodies[0].pose = at(9, 9, 9);
+  request_.primitives = false;
+  std::string visual = bracket();
+  for (std::size_t i = 0; (i = visual.find("collision>", i)) != std::string::npos;) visual.replace(i, 9, "visual");
+  options_.source = Source::kVisual;  // the peg has none, and keeps its mesh
+  EXPECT_EQ(run(pegInNotch(visual, collision(fixtures::meshTag("../meshes/peg.obj")))).elements.at(0).hulls.size(), 2u);
+}
+
+TEST_F(FitRobotToScene, AKeptMeshIsNotItsHull) {
+  fixtures::write(folder_ / "meshes/peg.obj", fixtures::obj(surface(boxShape(Eigen::Vector3d::Constant(0.03)))));
+  request_.scene.bodies[0].pose = at(9, 9, 9);
+  LinkRule rule;
+  rule.pattern = "base";
+  rule.settings.action = Action::kKeep;
+  options_.rules = {rule};
+  const RobotResult result = run(pegInNotch(bracket(), collision(fixtures::meshTag("../meshes/peg.obj"))));
+  EXPECT_EQ(result.report.scene->clear, result.report.scene->clear_of) << "the peg turns in the notch, and is clear of the bracket";
+  EXPECT_EQ(result.report.scene->original_hits + result.report.scene->model_hits, 0u);
 }
 
 TEST_F(FitRobotToScene, KeepsAHullThatFillsNoPrimitive) {

@@ -349,15 +349,16 @@ TEST(PutTogether, NotesWidthsThatCloseNothing) {
   closed.mesh.closed_openings = 1;
   failed.status = Status::kFailed;
   using Notes = std::vector<std::string>;
-  const std::string idle = "closing openings of up to 2cm changes nothing: ";
+  const std::string idle = "close-openings 2cm closed nothing: ";
   EXPECT_TRUE(notes({solid, failed}, {0, 0.02}).empty());
   EXPECT_EQ(notes({solid, solid}, {0.02, 0}), Notes{idle + "'a.stl' has none"});
   EXPECT_EQ(notes({solid, solid}, {0.02, 0.02}), Notes{idle + "none of 2 meshes has any"});
-  EXPECT_EQ(notes({solid, open}, {0.02, 0.02}), Notes{idle + "'b.stl' has 3 openings, up to 124 mm wide"});
+  EXPECT_EQ(notes({solid, open}, {0.02, 0.02}),
+            Notes{idle + "'b.stl' has 3 openings, up to 124 mm wide, which is the least that closes all of them"});
   EXPECT_EQ(notes({closed, open}, {0.02, 0.02}).size(), 1u) << "what was closed";
   const Notes both = notes({closed, open}, {0.05, 0.02});
   ASSERT_EQ(both.size(), 2u);
-  EXPECT_EQ(both[1], idle + "'b.stl' has 3 openings, up to 124 mm wide");
+  EXPECT_EQ(both[1], idle + "'b.stl' has 3 openings, up to 124 mm wide, which is the least that closes all of them");
 }
 
 TEST(PutTogether, TheScaleOfAHugeMeshIsWhereItsInputHasIt) {

@@ -35,6 +35,15 @@ class FitRobotToScene : public ::testing::Test {
   static std::string collision(const std::string& geometry) { return "    <collision>\n      " + geometry + "\n    </collision>\n"; }
   static std::string bracket() { return collision(meshTag("../meshes/bracket.obj")); }
 
+  /// A link with this geometry, in whose notch a peg turns and slides a little, on two joints.
+  static std::string pegInNotch(const std::string& base, const std::string& peg) {
+    return link("base", base) + link("wheel", "") + link("peg", peg) +
+           "<joint name=\"turn\" type=\"continuous\"><parent link=\"base\"/><child link=\"wheel\"/>"
+           "<origin xyz=\"0.075 0.075 0.05\"/><axis xyz=\"0 0 1\"/></joint>"
+           "<joint name=\"lift\" type=\"prismatic\"><parent link=\"wheel\"/><child link=\"peg\"/><axis xyz=\"0 0 1\"/>"
+           "<limit lower=\"0\" upper=\"0.01\" effort=\"1\" velocity=\"1\"/></joint>";
+  }
+
   RobotResult run(const std::string& links, const StepCallback& step = {}) {
     const RobotDescription robot = readRobotDescription(write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
     return fitRobotToScene(robot, defaultPackageFinder(), request_, options_, folder_ / "out", {}, step);

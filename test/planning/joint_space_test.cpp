@@ -42,6 +42,8 @@ TEST(JointSpace, OtherJointsStayWhereTheyArePut) {
   EXPECT_EQ(space.values(all), JointValues{0.1});
   EXPECT_NEAR(space.poses({0.1})[arm.link("hook")].translation().z(), 0.2, 1e-12) << "the mimic joint follows";
   expectError(ErrorCode::kBadOption, {"turn"}, [&] { JointSpace(arm.kinematics, "lift", {{"turn", 4}}); });
+  EXPECT_EQ(names({arm.kinematics, "", {{"turn", 0.5}}}), (std::vector<std::string>{"spin", "lift"})) << "as in a fit";
+  expectError(ErrorCode::kBadOption, {"at", "leave one"}, [&] { JointSpace(arm.kinematics, "turn", {{"turn", 0.5}}); });
 }
 
 TEST(JointSpace, KnowsWhatThePlannedJointsMove) {

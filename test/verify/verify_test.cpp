@@ -135,8 +135,7 @@ TEST_F(Verify, NamesThePairsOfLinksThatDoNotTouchWhereTheOriginalsDo) {
   EXPECT_EQ(fixtures::count(table, "  ok, but misses\n"), 3u) << "each of them misses boxes, too\n" << table;
   EXPECT_EQ(seen.links[0].status, LinkStatus::kOk) << "there is no gate";
   const std::string note =
-      " collisions missed: 'ok' does not speak of that, as nothing limits how much of ORIGINAL may be uncovered; set "
-      "--max-uncovered, 0 for cover without a gap";
+      " collisions were missed, and no gate limits how much of ORIGINAL is uncovered: set --max-uncovered, 0 for cover without a gap";
   ASSERT_EQ(seen.notes.size(), 1u);
   EXPECT_EQ(seen.notes[0], std::to_string(seen.missed) + note);
   options.max_uncovered = 0.1;

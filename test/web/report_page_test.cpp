@@ -75,9 +75,9 @@ TEST(ReportPage, TheFootersToleranceIsThatOfOtherLinksAndOfEachModel) {
   sample.report.options.rules = {rule};
   EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance 1cm,5%, method"), 1u);
   sample.report.options.rules[0].settings.tolerance = lengthOf(0.002);
-  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance 1cm,5% (of links with their own: see the table), method"), 1u);
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance 1cm,5%; some links have their own, see the table, method"), 1u);
   sample.report.options.models = {{"planning", lengthOf(0.01)}, {"contact", lengthOf(0.001)}};
-  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance planning 1cm, contact 1mm (of links"), 1u);
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "<p>tolerance planning 1cm, contact 1mm; some links"), 1u);
 }
 
 TEST(ReportPage, AChoiceOfSeveralModels) {

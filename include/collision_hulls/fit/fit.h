@@ -5,6 +5,8 @@
 // robot keeps at least c from the scene and from itself. Every cut covers its mesh, so no model
 // misses a collision; a coarse one has false collisions.
 //
+// What the robot has beside the meshes that it is fitted by (KeptBody) is in both as it is.
+//
 //   1. set aside what of the scene is too far away for any link; prove which pairs of bodies can
 //      never come within c of each other; leave out the pairs that self-collision checking skips
 //   2. start with one hull per mesh: the root of its tree

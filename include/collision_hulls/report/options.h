@@ -59,7 +59,7 @@ std::string toString(const Length& length);  ///< parseLength reads it back: "5m
 double parseMetres(const std::string& text, const std::string& option);
 /// As parseMetres(), but 0 is allowed.
 double parseMetresOrZero(const std::string& text, const std::string& option);
-/// As parseMetresOrZero(), up to 1 m like parseTolerance(). For widths of openings, too.
+/// As parseMetresOrZero(), up to 1 m like parseTolerance(). For all short lengths that may be 0.
 double parsePadding(const std::string& text, const std::string& option = "padding");
 
 enum class UriStyle { kPackage, kFile, kRelative };

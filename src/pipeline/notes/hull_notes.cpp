@@ -128,7 +128,8 @@ const Region* finestRegion(const ElementReport& row) {
 std::string largerToleranceText(const ElementReport& row) {
   const auto is_plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   if (row.link.size() > kLongestName || !std::all_of(row.link.begin(), row.link.end(), is_plain)) return "";
-  const double tolerance = std::min(std::ceil(2000 * row.tolerance) / 1000, kLargestTolerance);
+  const double tolerance = std::ceil(2000 * row.tolerance) / 1000;
+  if (tolerance > kLargestTolerance) return "";
   return ", also for single links ('links: {" + row.link + ": {tolerance: " + toString(lengthOf(tolerance)) + "}}' in a configuration)";
 }
 

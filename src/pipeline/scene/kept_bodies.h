@@ -13,9 +13,10 @@
 
 namespace collision_hulls {
 
-/// The primitives of links that are decomposed, but of `absent` ones; and all <collision> elements of links that are kept or not chosen.
-/// An element that cannot be used, such as a dummy without a size or a mesh that cannot be read, only gives a note.
-std::vector<KeptBody> keptBodies(const RobotDescription& robot, const LinkDecisions& decisions, const std::set<std::string>& absent,
+/// The elements of the new description that are no hulls: primitives beside those, and all <collision> elements of links that keep them,
+/// be it as the options say or because one of their meshes is in `failed` (names of links). Of a link with a mesh that cannot be read
+/// there is none of these, and a note. Throws kCancelled.
+std::vector<KeptBody> keptBodies(const RobotDescription& robot, const LinkDecisions& decisions, const std::set<std::string>& failed,
                                  const PackageFinder& find_package, const Options& options, std::vector<std::string>& notes,
                                  const RunControl& control);
 

@@ -33,7 +33,8 @@ std::string nearestName(const std::string& text, const std::vector<std::string>&
   std::string nearest;
   for (const std::string& name : names) {
     const bool begins = name.compare(0, text.size(), text) == 0;
-    if (!begins && (name.size() >= text.size() + least || text.size() >= name.size() + least)) continue;  // as many letters to insert
+    if (!begins && (name.size() >= text.size() + least || text.size() >= name.size() + least))
+      continue;  // the lengths alone differ by as much
     const std::size_t distance = begins ? 0 : editDistance(text, name);
     if (distance >= least || distance >= name.size()) continue;
     least = distance;

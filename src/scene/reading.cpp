@@ -33,7 +33,7 @@ TriangleMesh MeshLibrary::read(const std::string& uri, const Eigen::Vector3d& sc
 
 void MeshLibrary::count(std::size_t triangles, const std::string& path) {
   triangles_ += triangles;
-  if (triangles_ > how_.limits.max_triangles)
+  if (isFull())
     throw Error(ErrorCode::kTooLarge, "the meshes of " + whose_ + " have more than " + std::to_string(how_.limits.max_triangles) +
                                           " triangles in all, one that is used twice counted twice; simplify '" + path + "'");
 }

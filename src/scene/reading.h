@@ -39,6 +39,8 @@ class MeshLibrary {
   /// Counts triangles that were read elsewhere, from `path`. Throws that kTooLarge, too.
   void count(std::size_t triangles, const std::string& path);
   std::vector<std::string> files() const;
+  /// Whether all meshes together have more triangles than one may have.
+  bool isFull() const { return triangles_ > how_.limits.max_triangles; }
 
  private:
   const SceneReading& how_;

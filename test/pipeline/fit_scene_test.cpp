@@ -144,10 +144,11 @@ TEST_F(FitRobotToScene, WhatIsKeptTakesPartAsItIs) {
   EXPECT_EQ(hullsOfBase(mesh), 2u) << "the peg turns in the notch";
   EXPECT_EQ(result.report.scene->phantom, 0u);
   EXPECT_EQ(hullsOfBase(collision("<geometry><box size=\"0.03 0.03 0.03\"/></geometry>")), 2u);
-  for (const std::string& bad :
-       {std::string("rubbish.stl\""), std::string("peg.obj\" scale=\"0.001 0.001\""), std::string("peg.obj\" scale=\"1e300 1 1\"")}) {
-    EXPECT_EQ(hullsOfBase(collision("<geometry><mesh filename=\"../meshes/" + bad + "/></geometry>") + mesh), 1u);
-    EXPECT_TRUE(isNoted(result, ": the fit leaves what link 'peg' keeps out, so collisions with it were not checked")) << bad;
+  const auto peg = [](const std::string& more) { return fixtures::meshTag("../meshes/peg.obj", more); };
+  for (const std::string& bad : {fixtures::meshTag("../meshes/rubbish.stl"), peg(" scale=\"0.001 0.001\""), peg(" scale=\"1e300 1 1\""),
+                                 std::string("<geometry><box size=\"1e7 1 1\"/></geometry>")}) {
+    EXPECT_EQ(hullsOfBase(collision(bad) + mesh), 1u);
+    EXPECT_TRUE(isNoted(result, ": the fit ignores the elements that link 'peg' keeps, so collisions with them were not checked")) << bad;
     EXPECT_EQ(result.extra_files.begin()->second.find("peg"), std::string::npos) << "what is known of a part is not said of the whole";
   }
   options_.rules.clear();

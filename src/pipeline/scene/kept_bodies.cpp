@@ -1,5 +1,5 @@
-// What no hulls replace is in the new description as it was in the old one, and a planner checks it all the same. A link of which a part is
-// unknown does not take part: pairs with the rest of it might count as never meeting, and be disabled.
+// What no hulls replace is in the new description as it was in the old one, and a planner checks it all the same. A link that is kept and
+// of which a part is unknown does not take part: pairs with the rest of it might count as never meeting, and be disabled.
 #include "pipeline/scene/kept_bodies.h"
 
 #include <algorithm>
@@ -44,11 +44,14 @@ class KeptShapes {
 
   std::vector<std::string> notes() const {
     std::vector<std::string> result;
-    for (const auto& [fault, links] : left_out_)
-      result.push_back(fault + ": the fit leaves what link " + listedFirst(links, kMostLinksNamed) +
-                       (links.size() == 1 ? " keeps" : " keep") + " out, so collisions with it were not checked");
+    for (const auto& [fault, links] : left_out_) {
+      const bool one = links.size() == 1;
+      result.push_back(fault + ": the fit ignores the elements that " + (one ? "link " : "links ") + listedFirst(links, kMostLinksNamed) +
+                       (one ? " keeps" : " keep") + ", so collisions with them were not checked");
+    }
     if (!flat_.empty())
-      result.push_back("link " + listedFirst(std::vector<std::string>(flat_.begin(), flat_.end()), kMostLinksNamed) +
+      result.push_back((flat_.size() == 1 ? "link " : "links ") +
+                       listedFirst(std::vector<std::string>(flat_.begin(), flat_.end()), kMostLinksNamed) +
                        (flat_.size() == 1 ? " has" : " have") + " a primitive without a size; the fit ignores it");
     return result;
   }
@@ -68,8 +71,9 @@ class KeptShapes {
       bodies.push_back({link, std::move(mesh)});
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kCancelled) throw;
+      if (error.code() == ErrorCode::kBadScale) return error.what();  // of this element, and not of the file
       fault = error.what();
-      if (error.code() == ErrorCode::kTooLarge) full_ = fault;
+      if (meshes_.isFull()) full_ = fault;
       return fault;
     }
     return "";
@@ -77,15 +81,21 @@ class KeptShapes {
 
   std::string addPrimitive(std::size_t link, const GeometryElement& element, std::vector<KeptBody>& bodies) {
     if (!element.fault.empty()) return element.fault;
-    if (isSolidPrimitive(element))
-      bodies.push_back({link, hullAbout(element)});
-    else if (element.kind != Kind::kNone)
+    if (element.kind == Kind::kNone) return "";
+    if (!isSolidPrimitive(element)) {
       flat_.insert(quoted(link));
+      return "";
+    }
+    try {
+      bodies.push_back({link, hullAbout(element)});
+    } catch (const Error& error) {
+      return error.what();
+    }
     return "";
   }
 
   void without(std::size_t link, const std::string& fault) { left_out_[fault].push_back(quoted(link)); }
-  std::string quoted(std::size_t link) const { return "'" + robot_.links[link].name + "'"; }
+  std::string quoted(std::size_t link) const { return "'" + shortened(robot_.links[link].name) + "'"; }
 
   const RobotDescription& robot_;
   const SceneReading& how_;
@@ -108,11 +118,14 @@ std::vector<KeptBody> keptBodies(const RobotDescription& robot, const LinkDecisi
     const LinkDescription& link = robot.links[i];
     const LinkOptions* const decided = decisions.of(link.name);
     const CollisionFate fate = collisionFate(link, decided);
-    if (fate == CollisionFate::kStay || failed.count(link.name) > 0) shapes.add(i, link.collisions);
-    if (fate != CollisionFate::kReplaced || failed.count(link.name) > 0) continue;
-    std::vector<GeometryElement> elements = sourceElements(link, decided->source).elements;
-    elements.erase(std::remove_if(elements.begin(), elements.end(), isMesh), elements.end());
-    shapes.add(i, elements);
+    const bool stays = fate == CollisionFate::kStay || (failed.count(link.name) > 0 && !link.collisions.empty());
+    if (stays) shapes.add(i, link.collisions);
+    if (stays || fate != CollisionFate::kReplaced) continue;
+    const SourceElements source = sourceElements(link, decided->source);
+    std::vector<GeometryElement> others;  // beside the hulls
+    for (const GeometryElement& element : source.elements)
+      if (!isMesh(element) && !(source.visual && element.fault.empty() && !isSolidPrimitive(element))) others.push_back(element);
+    shapes.add(i, others);
   }
   for (std::string& note : shapes.notes()) notes.push_back(std::move(note));
   return std::move(shapes.kept);

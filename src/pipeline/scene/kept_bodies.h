@@ -14,7 +14,7 @@
 namespace collision_hulls {
 
 /// The elements of the new description that are no hulls: primitives beside those, and all <collision> elements of links that keep them,
-/// be it as the options say or because one of their meshes is in `failed` (names of links). Of a link with a mesh that cannot be read
+/// be it as the options say or because a mesh of theirs failed (`failed`: names of links). Of a link with one that cannot be used
 /// there is none of these, and a note. Throws kCancelled.
 std::vector<KeptBody> keptBodies(const RobotDescription& robot, const LinkDecisions& decisions, const std::set<std::string>& failed,
                                  const PackageFinder& find_package, const Options& options, std::vector<std::string>& notes,

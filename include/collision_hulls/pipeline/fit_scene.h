@@ -64,7 +64,7 @@ void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 /// Like decomposeRobot(), with hulls as fine as the scene needs but no finer than the options'
 /// tolerance; report.scene says why. A tree that the cache holds for the same tolerance needs no
 /// decomposition. Links that `options.links` does not select, that the options keep, or that have a
-/// mesh that failed take part with their <collision> elements; where one of these cannot be read,
+/// mesh that failed take part with their collision elements; where one of these cannot be read,
 /// all of that link's are absent, and a note says so. `method` must be certified. extra_files holds
 /// `config/<robot>_disabled.srdf`; where joints are held, that says nothing of pairs that always or
 /// never meet. Throws kBadOption, also for configurations of another size or with values that are

@@ -110,8 +110,8 @@ NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& 
   NewCollisions links;
   for (const LinkDescription& link : robot.links) {
     const LinkOptions* const options = decisions.of(link.name);
-    const CollisionFate fate = collisionFate(link, options);
-    if (fate == CollisionFate::kStay || (failed.count(link.name) && !link.collisions.empty())) continue;
+    const CollisionFate fate = collisionFate(link, options, failed.count(link.name) > 0);
+    if (fate == CollisionFate::kStay) continue;
     LinkCollisions& collisions = links[link.name];
     if (fate == CollisionFate::kReplaced)
       collisions = linkCollisions(link.name, sourceElements(link, options->source), models[link.name], prefix, names, in_place);

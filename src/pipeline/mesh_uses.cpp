@@ -243,9 +243,10 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
           others(collisions, "collision") + how_well};
 }
 
-CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options) {
+CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options, bool failed) {
   if (!options || options->action == Action::kKeep) return CollisionFate::kStay;
   if (options->action == Action::kRemove) return CollisionFate::kGo;
+  if (failed && !link.collisions.empty()) return CollisionFate::kStay;
   const SourceElements source = sourceElements(link, options->source);
   const auto any = [&](const auto& is_so) { return std::any_of(source.elements.begin(), source.elements.end(), is_so); };
   return any(isMesh) || (source.visual && any(isSolidPrimitive)) ? CollisionFate::kReplaced : CollisionFate::kStay;

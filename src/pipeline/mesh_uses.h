@@ -44,9 +44,9 @@ enum class CollisionFate {
   kReplaced  ///< the meshes by hulls; primitives stay where the source is the <collision> elements, else the solid ones of the source come
 };
 
-/// Of a link with these options (null: it was not chosen) of which no mesh fails. Where one fails, they stay; if there are none, the
-/// hulls of the others come.
-CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options);
+/// Of a link with these options (null: it was not chosen). `failed`: one of its meshes did. They stay then; if there are none, the hulls of
+/// the other meshes come.
+CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options, bool failed = false);
 
 /// How many links have primitives that become, or stay, their collision model, and no mesh.
 std::size_t primitiveLinks(const RobotDescription& robot, const LinkDecisions& decisions);

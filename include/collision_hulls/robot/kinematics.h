@@ -74,12 +74,12 @@ struct Chain {
 class Kinematics {
  public:
   /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for mimic joints
-  /// that follow one another in a circle, for an origin that is further than 1e6 m away, for a
-  /// mimic joint that slides as far or turns without end, and for more than a million links below
-  /// floating or planar joints (a link counts for each of these). Also for what only a description
-  /// made by hand has: two links or joints of one name, a link that two joints lead to, joints in a
-  /// circle or with children before parents, limits that are crossed or not finite, and an axis of
-  /// a moving joint that is not of unit length.
+  /// that follow one another in a circle, for an origin that is no pose or further than 1e6 m away,
+  /// for a mimic joint that slides as far or turns without end, and for more than a million links
+  /// below floating or planar joints (a link counts for each of these). Also for what only a
+  /// description made by hand has: two links or joints of one name, a link that two joints lead to,
+  /// joints in a circle or with children before parents, limits that are crossed or not finite, and
+  /// an axis of a moving joint that is not of unit length.
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }

@@ -117,10 +117,9 @@ std::vector<KeptBody> keptBodies(const RobotDescription& robot, const LinkDecisi
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const LinkDescription& link = robot.links[i];
     const LinkOptions* const decided = decisions.of(link.name);
-    const CollisionFate fate = collisionFate(link, decided);
-    const bool stays = fate == CollisionFate::kStay || (failed.count(link.name) > 0 && !link.collisions.empty());
-    if (stays) shapes.add(i, link.collisions);
-    if (stays || fate != CollisionFate::kReplaced) continue;
+    const CollisionFate fate = collisionFate(link, decided, failed.count(link.name) > 0);
+    if (fate == CollisionFate::kStay) shapes.add(i, link.collisions);
+    if (fate != CollisionFate::kReplaced) continue;
     const SourceElements source = sourceElements(link, decided->source);
     std::vector<GeometryElement> others;  // beside the hulls
     for (const GeometryElement& element : source.elements)

@@ -178,12 +178,11 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
     Attempt attempt = attemptAt(mesh, aim, options, least, decomposing, certifying);
     spent.decompose += attempt.result.seconds.decompose;
     spent.certify += attempt.result.seconds.certify;
-    if (i > 0 && boundShare(attempt.result, options) >= boundShare(best.result, options)) {
+    const double over = boundShare(attempt.result, options);
+    if (i > 0 && over >= boundShare(best.result, options))  // as may be by chance, at openings: the next may yet be better
       best.result.untried = attempt.result.untried;
-      break;
-    }
-    best = std::move(attempt);
-    const double over = boundShare(best.result, options);
+    else
+      best = std::move(attempt);
     if (!aims || best.capped || best.too_fine || over <= 1 || !best.result.untried.empty()) break;
     lowerAim(aim, i, over);
   }

@@ -41,13 +41,15 @@ TEST(Refusal, SaysWhatAJointLacks) {
 TEST(Refusal, SaysHowNumbersAreWritten) {
   expectRefusedWith("0 0 1", "0,0,1", {"line 4", "[0,0,1]", "; write decimal numbers with spaces"});
   expectRefusedWith("0 0 1", "0 0", {"line 4", "[0 0]", "; write as many numbers"});
-  expectRefusedWith("lower='0'", "lower='pi'", {"line 4", "; correct it"});
+  expectRefusedWith("lower='0'", "lower='pi'", {"line 4", "; write a decimal number"});
 }
 
 TEST(Refusal, IsPlacedAtTheSecondOfTwo) {
   expectRefused({"line 5", "'b' is not unique", "; rename one"}, kJoint, "<link name='b'/>");
   expectRefused({"line 6", "'j' is not unique", "; rename one"}, kJoint,
                 "<link name='c'/>\n<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>");
+  expectRefused({"line 6", "'white' is not unique; rename one"}, kJoint,
+                "<material name='white'><color rgba='1 1 1 1'/></material>\n<material name='white'><color rgba='1 1 1 1'/></material>");
   expectRefused({"line 5", "[a] and [c]", "; connect them"}, kJoint, "<link name='c'/>");
 }
 

@@ -29,6 +29,7 @@ constexpr Remedy kRemedies[] = {
     {"is not unique", "rename one of them"},
     {"No name given for the robot", "write <robot name=\"...\">"},
     {"unnamed joint", "give each <joint> a name=\"...\""},
+    {"is not a valid", "write a decimal number"},
     {"Unable to parse component", "write decimal numbers with spaces between them"},
     {"expected while parsing vector", "write as many numbers as it expects, with spaces between them"},
     {"no mimic joint specified", "add joint=\"...\" to its <mimic>"},
@@ -67,6 +68,7 @@ const tinyxml2::XMLElement* lastNamed(const tinyxml2::XMLElement& robot, const c
 Refusal refusalOf(const tinyxml2::XMLElement& robot, const std::string& complaints) {
   const tinyxml2::XMLElement* element = lastNamed(robot, "joint", namesAfter("oint", complaints));
   if (!element) element = lastNamed(robot, "link", namesAfter("ink", complaints));
+  if (!element) element = lastNamed(robot, "material", namesAfter("aterial", complaints));
   if (!element) element = lastNamed(robot, "link", namesAfter("and", complaints));  // "Two root links found: [a] and [b]"
   return {(element ? element : &robot)->GetLineNum(), remedyFor(complaints)};
 }

@@ -32,7 +32,7 @@ class LogCapture : public console_bridge::OutputHandler {
 
   void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) override {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && errors_.size() < kMostComplaints)
-      errors_ += (errors_.empty() ? "" : "; ") + text;
+      errors_ += (errors_.empty() ? "" : "; ") + text.substr(0, text.find_last_not_of(". ") + 1);
   }
 
  private:
@@ -56,7 +56,8 @@ ParseResult parse(const std::string& text) {
     capture->stop();
     throw;
   } catch (const std::exception& error) {
-    result.errors = capture->stop() + error.what();
+    result.errors = capture->stop();
+    result.errors += (result.errors.empty() ? "" : "; ") + std::string(error.what());
     return result;
   }
   result.errors = capture->stop();

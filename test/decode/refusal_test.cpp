@@ -40,6 +40,7 @@ TEST(Refusal, SaysWhatAJointLacks) {
 
 TEST(Refusal, SaysHowNumbersAreWritten) {
   expectRefusedWith("0 0 1", "0,0,1", {"line 4", "[0,0,1]", "; write decimal numbers with spaces"});
+  expectRefusedWith("0 0 1", "$(optenv AXIS 0 0 1)", {"line 4", "[$(optenv]", "; $(...) and ${...} are for xacro: write the value"});
   expectRefusedWith("0 0 1", "0 0", {"line 4", "[0 0]", "; write as many numbers"});
   expectRefusedWith("lower='0'", "lower='pi'", {"line 4", "; write a decimal number"});
 }

@@ -29,6 +29,7 @@ constexpr Remedy kRemedies[] = {
     {"is not unique", "rename one of them"},
     {"No name given for the robot", "write <robot name=\"...\">"},
     {"unnamed joint", "give each <joint> a name=\"...\""},
+    {"[$", "$(...) and ${...} are for xacro: write the value, or let xacro expand the file"},
     {"is not a valid", "write a decimal number"},
     {"Unable to parse component", "write decimal numbers with spaces between them"},
     {"expected while parsing vector", "write as many numbers as it expects, with spaces between them"},

@@ -88,10 +88,13 @@ class Assembly {
   BoxGroups body_boxes_;
 };
 
+using PartIndices = std::pair<std::size_t, std::size_t>;  // of two parts, the smaller one first
+
 /// Two parts to check against each other, a < b, and the distance [m] from which on the original counts as clear.
 struct PartPair {
   std::size_t a = 0, b = 0;
   double clearance = 0;
+  double urgency = 0;  ///< [1/s] how often its originals are not clear, over how long it takes to tell; what is urgent is checked first
 };
 
 }  // namespace collision_hulls

@@ -28,8 +28,7 @@ Truth truthOf(const FittedModel& model, const RunControl& control) {
               std::vector<char>(count)};
   forEach(count, [&](std::size_t i) {
     control.check();
-    if (!truth.hit[i])
-      truth.clear[i] = isClear(model.assembly, model.originals, model.fitting.pairs(), model.assembly.places(first + i), {});
+    if (!truth.hit[i]) truth.clear[i] = isClear(model.originals, model.fitting.pairs(), model.assembly.places(first + i));
   });
   return truth;
 }

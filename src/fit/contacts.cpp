@@ -79,6 +79,13 @@ std::vector<Contact> contacts(const Assembly& assembly, const Cuts& cuts, const 
   return result;
 }
 
+std::set<PartIndices> partsOf(const Assembly& assembly, const std::vector<Contact>& contacts) {
+  const auto part = [&](int piece) { return assembly.pieces()[static_cast<std::size_t>(piece)].part; };
+  std::set<PartIndices> parts;
+  for (const Contact& contact : contacts) parts.emplace(part(contact.piece[0]), part(contact.piece[1]));
+  return parts;
+}
+
 bool inContact(const Assembly& assembly, const Cuts& cuts, const CheckedPairs& pairs, const Places& places) {
   bool found = false;
   visitContacts(assembly, cuts, pairs, places, [&](const PlacedNode&, const PlacedNode&, const Eigen::Isometry3d&) {

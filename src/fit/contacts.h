@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "fit/checked_pairs.h"
@@ -21,6 +22,9 @@ bool touches(const Assembly& assembly, const Contact& contact, int first, int se
 /// All contacts of a model between the parts of these pairs.
 std::vector<Contact> contacts(const Assembly& assembly, const Cuts& cuts, const CheckedPairs& pairs, const Places& places,
                               std::size_t sample);
+
+/// The parts in contact.
+std::set<PartIndices> partsOf(const Assembly& assembly, const std::vector<Contact>& contacts);
 
 /// Whether there is at least one such contact.
 bool inContact(const Assembly& assembly, const Cuts& cuts, const CheckedPairs& pairs, const Places& places);

@@ -173,13 +173,6 @@ std::string mostSceneHits(const std::map<PartIndices, PairHits>& of_pairs) {
   return most ? most->first + " against " + most->second + ", in " + std::to_string(most->original) : "";
 }
 
-/// The pairs of parts in contact.
-std::set<PartIndices> pairsOf(const FittedModel& model, const std::vector<Contact>& contacts) {
-  std::set<PartIndices> pairs;
-  for (const Contact& contact : contacts) pairs.emplace(partOf(model, contact.piece[0]), partOf(model, contact.piece[1]));
-  return pairs;
-}
-
 std::size_t primitives(const FittedModel& model) {
   std::size_t count = 0;
   for (std::size_t link = 0; link < model.assembly.links(); ++link) {
@@ -194,9 +187,7 @@ std::size_t clearOnes(const FittedModel& model, const std::vector<char>& marked,
   std::vector<char> clear(marked.size());
   forEach(marked.size(), [&](std::size_t i) {
     control.check();
-    if (marked[i])
-      clear[i] =
-          isClear(model.assembly, model.originals, model.fitting.pairs(), model.assembly.places(model.fitting.verifiedFrom() + i), {});
+    if (marked[i]) clear[i] = isClear(model.originals, model.fitting.pairs(), model.assembly.places(model.fitting.verifiedFrom() + i));
   });
   return static_cast<std::size_t>(std::count(clear.begin(), clear.end(), 1));
 }
@@ -249,9 +240,9 @@ Hits countHits(const FittedModel& model, const RunControl& control) {
     const std::size_t index = model.fitting.verifiedFrom() + i;
     const Places places = model.assembly.places(index);
     Sample& sample = samples[i];
-    for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, roots, pairs, places, index)))
+    for (const PartIndices& pair : partsOf(model.assembly, contacts(model.assembly, roots, pairs, places, index)))
       (model.originals.touch(pair.first, pair.second, places) ? sample.original : sample.before).insert(pair);
-    for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, model.fitting.cuts(), pairs, places, index)))
+    for (const PartIndices& pair : partsOf(model.assembly, contacts(model.assembly, model.fitting.cuts(), pairs, places, index)))
       if (!sample.original.count(pair)) sample.after.insert(pair);
   });
   Hits result;
@@ -295,9 +286,14 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
     report.original_hits += true_hit[i] != 0;
     report.missed += true_hit[i] && !hit[i];
   }
-  report.phantom = clearOnes(model, hit, control);
   report.clear_of = std::min(count, kLookedAt);
-  report.clear = clearOnes(model, std::vector<char>(report.clear_of, 1), control);
+  std::vector<char> may_be_clear(report.clear_of), may_be_phantom(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    may_be_phantom[i] = hit[i] && !true_hit[i];
+    if (i < report.clear_of) may_be_clear[i] = !true_hit[i];
+  }
+  report.phantom = clearOnes(model, may_be_phantom, control);
+  report.clear = clearOnes(model, may_be_clear, control);
   report.phantom_rate_bound = report.given ? 0 : rateBound(report.phantom, count, model.fitting.verifyingBatches());
   report.far_bodies = model.near.far_bodies;
   report.proved_pairs = model.rules.proved.size() + model.near.links * model.near.far_bodies;

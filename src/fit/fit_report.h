@@ -9,8 +9,6 @@
 
 namespace collision_hulls {
 
-using PartIndices = std::pair<std::size_t, std::size_t>;  // the smaller one first
-
 /// Everything that a report is made from.
 struct FittedModel {
   const NearProblem& near;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ class Fitting {
   const std::vector<Contact>& seen() const { return seen_; }            ///< of roots and of opened hulls, in all counterexamples
 
  private:
+  bool touch(const std::set<PartIndices>& parts, const Places& places) const;
   Answers ask(const std::vector<std::size_t>& samples) const;
   std::size_t cure(const std::vector<std::size_t>& samples);
   void takeHulls(const Cuts& cuts);
@@ -69,8 +71,7 @@ class Fitting {
   double progress_ = 0;
 };
 
-/// Whether the original keeps its clearances; the pairs of `suspects` are checked first.
-bool isClear(const Assembly& assembly, const Originals& originals, const CheckedPairs& pairs, const Places& places,
-             const std::vector<Contact>& suspects);
+/// Whether the original keeps its clearances. Urgent pairs are checked first, which only saves time.
+bool isClear(const Originals& originals, const CheckedPairs& pairs, const Places& places);
 
 }  // namespace collision_hulls

@@ -27,11 +27,6 @@ class Originals {
   /// Boxes around the links, in the scene's frame.
   std::vector<Eigen::AlignedBox3d> boxesOfLinks(const Places& places) const;
 
-  /// Whether a pair keeps its clearance. Contact comes first, since it takes FCL a hundredth of the time of a distance.
-  bool clear(const PartPair& pair, const Places& places) const {
-    return !touch(pair.a, pair.b, places) && distanceBelow(pair.clearance, pair.a, pair.b, places) >= pair.clearance;
-  }
-
   struct Body {
     QueryBody body;
     Eigen::Isometry3d origin;             // in the part's frame

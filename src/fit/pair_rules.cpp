@@ -12,6 +12,7 @@
 #include "base/counted.h"
 #include "base/median.h"
 #include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/reach/reach.h"
@@ -24,6 +25,8 @@ namespace {
 constexpr std::size_t kSurveyed = 400;  // samples
 constexpr double kNearlyAll = 0.95;     // of them; MoveIt's Setup Assistant uses the same share
 constexpr std::size_t kEvaluations = 300;
+constexpr double kNeverSeen = 0.5;      // added to the samples in which a pair is not clear: none of a few hundred is not never
+constexpr double kLeastSeconds = 1e-6;  // of a pair's survey
 constexpr std::size_t kMostListed = 3;  // in a note
 constexpr std::size_t kMostPairs = 2'000'000;
 
@@ -34,6 +37,8 @@ struct Sighting {
   double at_rest = 0;                               // [m] distance, capped at the clearance
   double usual = 0;                                 // [m] median of the nonzero distances, capped likewise; 0 if there are none
   std::size_t samples = 0, touching = 0, near = 0;  // all; at distance 0; nearer than the clearance
+  double own = 0;      // [m] the pair's clearance; for parts that are hardly ever `clearance` apart, half of their usual distance
+  double urgency = 0;  // see PartPair
 };
 
 bool nearlyAll(std::size_t part, std::size_t whole) {
@@ -65,9 +70,14 @@ std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly
   return places;
 }
 
+double ownClearance(const Sighting& pair, double clearance) {
+  if (pair.usual == 0 || !nearlyAll(pair.near, pair.samples)) return clearance;
+  return std::min(clearance, pair.usual / 2);
+}
+
 /// For a pair that is never near in any of the places.
 void surveyFar(std::size_t places, double clearance, Sighting& pair) {
-  pair.at_rest = pair.usual = clearance;
+  pair.at_rest = pair.usual = pair.own = clearance;
   pair.samples = places - 1;
 }
 
@@ -87,6 +97,7 @@ std::vector<char> everNear(const std::vector<Places>& places, const Assembly& as
 
 void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
   std::vector<double> apart;
+  Stopwatch stopwatch;
   for (const Places& at : places) {
     const double distance = originals.distanceBelow(clearance, pair.a, pair.b, at);
     if (distance > 0) apart.push_back(distance);
@@ -98,7 +109,11 @@ void survey(const std::vector<Places>& places, const Originals& originals, doubl
     pair.touching += distance == 0;
     pair.near += distance < clearance;
   }
-  pair.usual = median(std::move(apart));
+  const double seconds = stopwatch.lap();
+  pair.usual = median(apart);
+  pair.own = ownClearance(pair, clearance);
+  const auto unclear = std::count_if(apart.begin(), apart.end(), [&](double distance) { return distance < pair.own; });
+  pair.urgency = (static_cast<double>(unclear) + kNeverSeen) / std::max(seconds, kLeastSeconds);
 }
 
 /// Why a pair is left out, judging by the original; an empty reason: it is not.
@@ -115,12 +130,6 @@ LeftOutPair verdict(const Sighting& pair, const FitProblem& problem) {
                               (given ? " given configurations" : " samples"));
   if (by_default) return said("Default", "in contact at rest");
   return {};
-}
-
-/// The pair's clearance; for parts that are hardly ever that far apart, half of their usual distance.
-double ownClearance(const Sighting& pair, double clearance) {
-  if (pair.usual == 0 || !nearlyAll(pair.near, pair.samples)) return clearance;
-  return std::min(clearance, pair.usual / 2);
 }
 
 /// A hull around everything that a link may become.
@@ -260,9 +269,8 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
       leaveOut(pair, why);
       continue;
     }
-    const double own = ownClearance(pair, clearance);
-    if (own < clearance) close.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " (" + lengthText(own) + ")");
-    rules.pairs.push_back({pair.a, pair.b, own});
+    if (pair.own < clearance) close.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " (" + lengthText(pair.own) + ")");
+    rules.pairs.push_back({pair.a, pair.b, pair.own, pair.urgency});
     const Kinematics& kinematics = assembly.kinematics();
     const bool settled = pair.links ? kinematics.settled(pair.a, pair.b) : kinematics.settled(pair.a);
     may_be_proved.push_back(settled && pair.near == 0 && pair.at_rest >= clearance);

@@ -25,8 +25,8 @@ TEST(Originals, AMeshIsCheckedAsItsSurface) {
   const double gap = originals.distanceBelow(1, 1, 2, rest);
   EXPECT_NEAR(gap, 0.04, 1e-6) << "0.15 m to the middle, less 0.05 m of the post and 0.06 m of the wall";
   EXPECT_EQ(originals.distanceBelow(0.02, 1, 2, rest), 0.02);
-  EXPECT_TRUE(originals.clear({1, 2, 0.9 * gap}, rest));
-  EXPECT_FALSE(originals.clear({1, 2, 1.1 * gap}, rest));
+  EXPECT_TRUE(isClear(originals, CheckedPairs(assembly, {{1, 2, 0.9 * gap}}), rest));
+  EXPECT_FALSE(isClear(originals, CheckedPairs(assembly, {{1, 2, 1.1 * gap}}), rest));
 }
 
 /// A post 0.25 m beside the channel.
@@ -48,8 +48,8 @@ TEST(Originals, AConfigurationIsClearOnlyWhereEachPairKeepsItsClearance) {
   const Assembly assembly(problem, 1);
   const Originals originals(problem, assembly, {});
   const Places rest = assembly.places(assembly.kinematics().rest());
-  EXPECT_TRUE(isClear(assembly, originals, CheckedPairs(assembly, {{1, 2, 0.249}}), rest, {}));
-  EXPECT_FALSE(isClear(assembly, originals, CheckedPairs(assembly, {{1, 2, 0.251}}), rest, {}));
+  EXPECT_TRUE(isClear(originals, CheckedPairs(assembly, {{1, 2, 0.249}}), rest));
+  EXPECT_FALSE(isClear(originals, CheckedPairs(assembly, {{1, 2, 0.251}}), rest));
 }
 
 TEST(PairRules, WhatIsProvedOfAPairIsNoMoreThanItsDistance) {
@@ -59,6 +59,15 @@ TEST(PairRules, WhatIsProvedOfAPairIsNoMoreThanItsDistance) {
   ASSERT_EQ(rules.proved.size(), 1u);
   EXPECT_LE(rules.proved[0].bound, 0.25);
   EXPECT_GT(rules.proved[0].bound, 0.24);
+}
+
+TEST(PairRules, WhatIsOftenNotClearIsUrgent) {
+  FitProblem problem = overPost();
+  problem.scene.bodies.push_back(boxBody("chip", {0.01, 0.01, 0.01}, {-0.01, 0.15, 0.5}));  // 5 mm beside the channel's way
+  const Assembly assembly(problem, 1);
+  const PairRules rules = pairRules(problem, assembly, Originals(problem, assembly, {}), 0.01, {});
+  ASSERT_EQ(rules.pairs.size(), 2u) << "with the post, which the channel never touches, and with the chip";
+  EXPECT_GT(rules.pairs[1].urgency, 10 * rules.pairs[0].urgency);
 }
 
 TEST(Originals, CanBeCancelledWhileFclBuildsItsTrees) {
@@ -78,7 +87,7 @@ TEST(Originals, WhatLiesWithinASolidIsNotClear) {
   const Places rest = assembly.places(assembly.kinematics().rest());
   EXPECT_FALSE(originals.touch(1, 2, rest)) << "surfaces are apart";
   EXPECT_EQ(originals.distanceBelow(1, 1, 2, rest), 0);
-  EXPECT_FALSE(originals.clear({1, 2, 0.001}, rest));
+  EXPECT_FALSE(isClear(originals, CheckedPairs(assembly, {{1, 2, 0.001}}), rest));
   EXPECT_TRUE(originals.contains(1, 2, rest));
   EXPECT_FALSE(originals.contains(2, 1, rest));
   EXPECT_EQ(nesting(assembly, originals, 1, 2, rest), "pin inside c0");

@@ -7,6 +7,15 @@
 
 set(COLLISION_HULLS_PROGRAMS_DIR "${collision_hulls_DIR}/../../../lib/collision_hulls" CACHE INTERNAL "where collision_hulls' programs are")
 
+# catkin gives variables alone. With these, a project links the library alike whether it was built with ROS or without.
+foreach(library collision_hulls collision_hulls_core)
+  if(collision_hulls_LIBRARIES AND NOT TARGET collision_hulls::${library})
+    add_library(collision_hulls::${library} INTERFACE IMPORTED)
+    set_target_properties(collision_hulls::${library} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${collision_hulls_INCLUDE_DIRS}"
+      INTERFACE_LINK_LIBRARIES "${collision_hulls_LIBRARIES}")
+  endif()
+endforeach()
+
 # Lists may be empty; what takes one value may not, as a gate would be gone with a variable that is not set.
 function(_collision_hulls_expect_values call missing)
   if(missing)

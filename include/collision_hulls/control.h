@@ -49,7 +49,7 @@ struct RunControl {
   /// Makes check() throw after the deadline, for a stage whose caller goes on without it.
   bool stops_at_deadline = false;
 
-  /// Ends the run at its next check().
+  /// Ends the run at its next check(). It stays cancelled: the next run needs another control.
   void cancel() const { cancelled_.store(true); }
   /// Whether check() would throw kCancelled.
   bool cancelled() const {

@@ -23,8 +23,8 @@ enum class ErrorCode {
   kPackageNotFound,      ///< a package:// URI names a package that is not on the search path
   kUnsupportedFormat,    ///< the file's extension is not one that can be read or written
   kNotAMesh,             ///< the file's content does not match its extension
-  kEmptyMesh,            ///< the file holds no triangles
-  kTooLarge,             ///< the file's size or triangle count is above the limit
+  kEmptyMesh,            ///< there are no triangles, or no points to make a hull of
+  kTooLarge,             ///< more bytes, triangles, bodies, pairs or metres than the limit
   kNonFiniteCoordinate,  ///< a vertex coordinate is NaN or infinite
   kIndexOutOfRange,      ///< a face refers to a vertex that does not exist
   kTooFarFromOrigin,     ///< the mesh lies so far out that single precision cannot resolve it

@@ -198,8 +198,8 @@ std::optional<std::size_t> exceededRegion(const CertifiedHulls& hulls, const Dec
   return std::nullopt;
 }
 
-/// Why hulls protrude further than the tolerance, and what to do about it.
-std::string excuse(const DecomposeOptions& options, const Attempt& made) {
+/// Why hulls protrude further than the tolerance, and what to do about it. `tree`: that they are cut from, or null.
+std::string excuse(const DecomposeOptions& options, const Attempt& made, const HullTree* tree) {
   if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
     return std::string(name(options.method)) +
            " ignores the tolerance; if that is too far, use certified, and if it is not, raise the tolerance";
@@ -211,6 +211,9 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   const std::string hulls = "max-hulls " + std::to_string(options.max_hulls);
   if (made.capped && options.method == Method::kCertified)
     return "the limit (" + hulls + ") made the hulls coarser; raise it, or the tolerance";
+  if (tree && options.tolerance < tree->tolerance)
+    return "the leaves of the hull tree are made for " + millimetres(tree->tolerance) +
+           "; give that tolerance, or make a tree for this one";
   if (made.capped && options.max_hulls > 0)
     return "the limits (" + hulls + ", " + vertices + ") made the hulls coarser; raise them, or the tolerance";
   if (options.method == Method::kHacd)
@@ -236,10 +239,10 @@ std::string overrunInRegion(const DecomposeOptions& options, const Attempt& made
 }
 
 /// The same as excuse() for a region whose tolerance alone is exceeded.
-std::string excuseInRegion(const DecomposeOptions& options, const Attempt& made) {
+std::string excuseInRegion(const DecomposeOptions& options, const Attempt& made, const HullTree* tree) {
   const bool may_be_moved = options.method == Method::kCertified && !made.capped && made.result.untried.empty();
   return may_be_moved ? "the surface there is too rough for it; give the region a larger tolerance, or move it away from the surface"
-                      : excuse(options, made);
+                      : excuse(options, made, tree);
 }
 
 /// Passes a part of the work on as the shares `from` to `to` of the whole. `done` is the largest so far of all parts, and what is reported:
@@ -285,6 +288,7 @@ Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid,
                        const RunControl& control) {
   expectPositiveLength("tolerance", tolerance);
   expectMargin(margin);
+  check(hulls, control);
   const double gap = kCertificateGap * tolerance;
   Protrusion result = protrusion(hulls, solid, {gap, kCertificateGap, 0}, control);
   const double room = tolerance - margin - result.found;
@@ -326,9 +330,9 @@ CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& 
   if (result.bound > limit(options))
     result.reason = "the hulls protrude by up to " + millimetres(result.bound) + ", more than the tolerance of " +
                     millimetres(options.tolerance) + (options.padding > 0 ? " and the padding of " + millimetres(options.padding) : "") +
-                    ": " + excuse(options, made) + (region ? "; " + overrunInRegion(options, made, *region) : "");
+                    ": " + excuse(options, made, mesh.tree) + (region ? "; " + overrunInRegion(options, made, *region) : "");
   else if (region)
-    result.reason = overrunInRegion(options, made, *region) + ": " + excuseInRegion(options, made);
+    result.reason = overrunInRegion(options, made, *region) + ": " + excuseInRegion(options, made, mesh.tree);
   result.seconds.certify += stage.lap();
   control.report(1);
   return std::move(result);

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/decimal.h"
 #include "base/looks.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -22,6 +23,7 @@ namespace {
 
 // Planes that differ by less than this, in normal and in offset as a share of the extent, are the same.
 constexpr double kSamePlane = 1e-10;
+constexpr double kUnitLength = 1e-6;  // by which a normal's length may differ from 1
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -247,6 +249,39 @@ ConvexHull convexHull(const Points& points, const RunControl& control) {
   hull.thickness = least;
   finish(hull, control);
   return hull;
+}
+
+void check(const std::vector<ConvexHull>& hulls, const RunControl& control) {
+  Looks look(control);
+  const auto text = [](const Eigen::Vector3d& p) { return "[" + decimal(p.x()) + ", " + decimal(p.y()) + ", " + decimal(p.z()) + "]"; };
+  for (std::size_t h = 0; h < hulls.size(); ++h) {
+    const ConvexHull& hull = hulls[h];
+    const auto refuse = [&](ErrorCode code, const std::string& fault) {
+      throw Error(code, "hull " + std::to_string(h) + ": " + fault + "; make the hull from its points with convexHull()");
+    };
+    const std::size_t vertices = hull.vertices.size(), triangles = hull.triangles.size(), faces = hull.faces.size();
+    if (vertices + triangles + faces == 0) continue;
+    if (vertices == 0 || triangles == 0 || faces == 0)
+      refuse(ErrorCode::kEmptyMesh, std::to_string(vertices) + " vertices, " + std::to_string(triangles) + " triangles and " +
+                                        std::to_string(faces) + " faces, where a hull has all three");
+    for (std::size_t v = 0; v < vertices; ++v)
+      if (look(), !hull.vertices[v].allFinite())
+        refuse(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " is " + text(hull.vertices[v]) + ", which is not finite");
+    for (std::size_t t = 0; t < triangles; ++t)
+      for (const int v : hull.triangles[t])
+        if (look(), v < 0 || static_cast<std::size_t>(v) >= vertices)
+          refuse(ErrorCode::kIndexOutOfRange, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) + ", but there are " +
+                                                  std::to_string(vertices) + ", counted from 0");
+    for (std::size_t f = 0; f < faces; ++f) {
+      look();
+      const HalfSpace& face = hull.faces[f];
+      const bool is_finite = face.normal.allFinite() && std::isfinite(face.offset);
+      if (!is_finite || std::abs(face.normal.norm() - 1) > kUnitLength)
+        refuse(is_finite ? ErrorCode::kBadOption : ErrorCode::kNonFiniteCoordinate,
+               "face " + std::to_string(f) + " has the normal " + text(face.normal) + " and the offset " + decimal(face.offset) +
+                   ", where normals have unit length and offsets are finite");
+    }
+  }
 }
 
 double volume(const ConvexHull& hull) {

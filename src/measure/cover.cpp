@@ -220,6 +220,7 @@ std::vector<std::vector<Eigen::Vector3d>> uncoveredPolygons(const TriangleMesh& 
 
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control) {
   check(mesh, control);  // no comparison with NaN finds anything uncovered
+  check(hulls, control);
   const Hulls set(mesh, hulls);
   return largestDistance(uncoveredPolygons(mesh, hulls, control), set, kPiecesOfMesh, control);
 }
@@ -246,6 +247,7 @@ Eigen::Vector3d spread(std::size_t i) {
 }  // namespace
 
 double unionVolume(const std::vector<ConvexHull>& hulls, const RunControl& control) {
+  check(hulls, control);
   if (hulls.size() == 1) return volume(hulls[0]);
   const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
   double all = 0;
@@ -277,6 +279,7 @@ double unionVolume(const std::vector<ConvexHull>& hulls, const RunControl& contr
 }
 
 double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid, const RunControl& control) {
+  check(hulls, control);
   const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
   Eigen::AlignedBox3d all;
   for (const Eigen::AlignedBox3d& box : boxes) all.extend(box);

@@ -149,6 +149,7 @@ class Summits {
 
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control) {
   expectPositiveLength("the gap of a bound on the protrusion", gap);
+  check(hulls, control);
   return protrusion(hulls, solid, {gap, 0, 0}, control);
 }
 

@@ -16,6 +16,7 @@ struct ProtrusionSearch {
   std::size_t spare_visits = 0;
   double floor = 0;  ///< [m] distances up to this do not matter, and are not found
 };
+/// Of hulls that check() lets pass.
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control);
 
 /// The larger of two bounds, and the further of two places: `worst` becomes what is known of both. For Protrusion and what has its `bound`,

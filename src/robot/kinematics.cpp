@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/decimal.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "geometry/pi.h"
 #include "robot/far_away.h"
@@ -17,6 +18,7 @@ namespace {
 using Kind = JointDescription::Kind;
 
 constexpr double kBeyondLimit = 1e-6;              // of the limits' size: what decimal text may have rounded away
+constexpr std::size_t kMostListed = 12;            // joints in a message
 constexpr double kUnitLength = 1e-9;               // of an axis: what rounding may add or take away
 constexpr std::size_t kMostUnsettled = 1'000'000;  // joints above links, in all
 
@@ -243,8 +245,11 @@ Configuration Kinematics::configuration(const std::map<std::string, double>& val
     const auto named = [&name = name](const JointVariable& variable) { return variable.name == name; };
     const auto found = std::find_if(variables_.begin(), variables_.end(), named);
     if (found == variables_.end()) {
+      std::vector<std::string> others;
+      for (const JointVariable& variable : variables_) others.push_back(variable.name);
       throw Error(ErrorCode::kBadOption,
-                  "joint '" + name + "' cannot be set: the robot has no such joint, or it is fixed or mimics another");
+                  "joint '" + name + "' cannot be set: the robot has no such joint, or it is fixed or mimics another; " +
+                      (others.empty() ? "no joint can be set" : "those that can be set are " + listedFirst(others, kMostListed)));
     }
     if (found->continuous ? !std::isfinite(value) : !withinLimits(*found, value))
       throw Error(ErrorCode::kBadOption, beyondLimits(*found, value));
@@ -261,8 +266,9 @@ Configuration Kinematics::sample(const std::function<double()>& uniform) const {
 
 void Kinematics::check(const Configuration& configuration) const {
   if (configuration.size() != variables_.size()) {
-    throw Error(ErrorCode::kBadOption, "a configuration of " + std::to_string(configuration.size()) + " values was given; the robot has " +
-                                           std::to_string(variables_.size()) + " joints that can be set");
+    throw Error(ErrorCode::kBadOption, "a configuration of size " + std::to_string(configuration.size()) +
+                                           " was given; the size has to be " + std::to_string(variables_.size()) +
+                                           ", a value for each joint that can be set");
   }
   for (std::size_t i = 0; i < configuration.size(); ++i)
     if (!std::isfinite(configuration[i]))

@@ -9,13 +9,13 @@ namespace {
 
 TEST(PositiveLength, RefusesAllOthersByName) {
   EXPECT_NO_THROW(expectPositiveLength("gap", 1e-300));
-  for (const double value : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double value : {0.0, -1.0, -1e-9, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     try {
       expectPositiveLength("gap", value);
       ADD_FAILURE() << value;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadOption);
-      EXPECT_EQ(std::string(error.what()), "gap is " + fixedDecimal(value) + " m; it must be a positive length");
+      EXPECT_EQ(std::string(error.what()), "gap is " + decimal(value) + " m; it must be a positive length");
     }
   }
 }

@@ -316,6 +316,10 @@ TEST(CertifiedHulls, AreACutThroughATree) {
   EXPECT_EQ(cut(0.01, 0).hulls.size(), 3u);
   EXPECT_EQ(cut(0.09, 0).hulls.size(), 1u);
   EXPECT_NE(cut(0.01, 1).reason.find("max-hulls 1"), std::string::npos);
+  const HullTree coarse = hullTree(repaired, within(0.09));
+  const CertifiedHulls fine = certifiedHulls({mesh, repaired, solid, 0, &coarse}, within(0.001));
+  EXPECT_NE(fine.reason.find("the leaves of the hull tree are made for 90 mm; give that tolerance, or make a tree"), std::string::npos)
+      << fine.reason;
 }
 
 TEST(CertifiedHulls, ReportProgressThatNeverDecreasesAndEndsAtOne) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "collision_hulls/error.h"
@@ -285,6 +286,31 @@ TEST(ConvexHull, NothingLiesInOneWithoutFaces) {
   EXPECT_FALSE(holds(ConvexHull(), {0, 0, 0}));
   EXPECT_EQ(planeDistance(ConvexHull(), {0, 0, 0}), std::numeric_limits<double>::infinity());
   EXPECT_EQ(distance(ConvexHull(), {0, 0, 0}), std::numeric_limits<double>::infinity());
+}
+
+TEST(ConvexHull, OneThatIsNotWholeIsRefusedByNumber) {
+  const ConvexHull whole = convexHull(test_shapes::box(1, 1, 1).vertices);
+  EXPECT_NO_THROW(check({whole, ConvexHull(), whole}));
+  const auto refusal = [&](const auto& spoil) {
+    std::vector<ConvexHull> hulls{whole, whole};
+    spoil(hulls[1]);
+    try {
+      check(hulls);
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("hull 1: ", 0), 0u) << error.what();
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  };
+  const double nan = std::nan("");
+  EXPECT_EQ(refusal([](ConvexHull& hull) { hull.vertices.clear(); }), ErrorCode::kEmptyMesh);
+  EXPECT_EQ(refusal([](ConvexHull& hull) { hull.triangles.clear(); }), ErrorCode::kEmptyMesh);
+  EXPECT_EQ(refusal([](ConvexHull& hull) { hull.faces.clear(); }), ErrorCode::kEmptyMesh);
+  EXPECT_EQ(refusal([&](ConvexHull& hull) { hull.vertices[3].y() = nan; }), ErrorCode::kNonFiniteCoordinate);
+  EXPECT_EQ(refusal([&](ConvexHull& hull) { hull.faces[2].offset = nan; }), ErrorCode::kNonFiniteCoordinate);
+  EXPECT_EQ(refusal([](ConvexHull& hull) { hull.faces[2].normal *= 2; }), ErrorCode::kBadOption);
+  EXPECT_EQ(refusal([](ConvexHull& hull) { hull.triangles[2][1] = 8; }), ErrorCode::kIndexOutOfRange);
+  EXPECT_EQ(refusal([](ConvexHull& hull) { hull.triangles[2][1] = -1; }), ErrorCode::kIndexOutOfRange);
 }
 
 TEST(ConvexHull, RandomSetsOfAnySizeAnywhere) {

@@ -48,6 +48,15 @@ TEST(Uncovered, RefusesMeshesThatAreNotSound) {
   EXPECT_EQ(code({{here, here, here}, {{0, 1, 3}}}), ErrorCode::kIndexOutOfRange);
 }
 
+TEST(Uncovered, RefusesHullsThatAreNotSound) {
+  ConvexHull hull = boxHull({0, 0, 0}, {1, 1, 1});
+  hull.vertices[0].x() = std::nan("");
+  const TriangleMesh box = test_shapes::box(1, 1, 1);
+  EXPECT_THROW(uncovered(box, {hull}), Error);
+  EXPECT_THROW(unionVolume({hull}), Error);
+  EXPECT_THROW(coveredShare({hull}, Solid(repair(box))), Error);
+}
+
 TEST(Uncovered, TrianglesWithoutArea) {
   const std::vector<ConvexHull> hulls{boxHull({0, 0, 0}, {1, 1, 1})};
   const std::vector<Vector3d> points{{0.5, 0.5, 0.5}, {0.7, 0.5, 0.5}, {0.5, 0.5, 3}};

@@ -65,7 +65,7 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinAShareOfTheWayToTheMiddle) {
     hull.triangles.clear();
     for (std::size_t i = 0; i < hull.faces.size(); ++i) {  // whichever face is the last
       std::rotate(hull.faces.begin(), hull.faces.begin() + 1, hull.faces.end());
-      const double bound = protrusion({hull}, solid, 4 * cut).bound;
+      const double bound = protrusion({hull}, solid, {4 * cut, 0, 0}, {}).bound;
       EXPECT_GE(bound, cut);
       EXPECT_LE(bound, 1.1 * cut);
     }
@@ -96,7 +96,7 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinTheLongestWayIntoIt) {
     double furthest = 0;
     for (const Vector3d& v : hull.vertices) furthest = std::max(furthest, distance(inner, v));
     hull.triangles.clear();
-    EXPECT_GE(protrusion({hull}, solidOf(surface(inner)), 1e3).bound, furthest * (1 - 1e-9));
+    EXPECT_GE(protrusion({hull}, solidOf(surface(inner)), {1e3, 0, 0}, {}).bound, furthest * (1 - 1e-9));
   }
 }
 
@@ -106,7 +106,7 @@ TEST(Protrusion, ALongBoardThatTheSurfaceLeavesFree) {
   const Solid solid = solidOf(test_shapes::box(2, 0.4, 0.018));
   ConvexHull hull = boxHull({-e, -e, -e}, {2 + e, 0.4 + e, 0.018 + e});
   hull.triangles.clear();
-  const double bound = protrusion({hull}, solid, 4 * e).bound;
+  const double bound = protrusion({hull}, solid, {4 * e, 0, 0}, {}).bound;
   EXPECT_GE(bound, std::sqrt(3) * e);
   EXPECT_LE(bound, 1.001 * std::sqrt(3) * e);
 }
@@ -139,7 +139,7 @@ TEST(Protrusion, AHullThroughACrackIsNotLeftFree) {
   ASSERT_TRUE(solid.contains({0.5, 0, -0.15}));
   ConvexHull blade = boxHull({0.3, -2e-6, -0.6}, {0.7, 2e-6, 0.3});
   blade.triangles.clear();
-  EXPECT_GE(protrusion({blade}, solid, 1e-6).bound, 1.9e-6) << "nearly half its width";
+  EXPECT_GE(protrusion({blade}, solid, {1e-6, 0, 0}, {}).bound, 1.9e-6) << "nearly half its width";
 }
 
 // A post through a window meets no surface, and its middle is inside; what stands out of the window is not. Its triangles are taken away so
@@ -147,7 +147,7 @@ TEST(Protrusion, AHullThroughACrackIsNotLeftFree) {
 TEST(Protrusion, AHullThroughAnOpeningIsNotLeftFree) {
   ConvexHull post = boxHull({0.45, 0.45, 0.2}, {0.55, 0.55, 1.3});
   post.triangles.clear();
-  EXPECT_GE(protrusion({post}, solidOf(test_shapes::boxWithWindow(0.2)), 0.001).bound, 0.04) << "nearly half its width";
+  EXPECT_GE(protrusion({post}, solidOf(test_shapes::boxWithWindow(0.2)), {0.001, 0, 0}, {}).bound, 0.04) << "nearly half its width";
 }
 
 }  // namespace

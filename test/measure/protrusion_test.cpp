@@ -65,6 +65,14 @@ TEST(Protrusion, NeedsAGap) {
   for (const double gap : {0.0, -1.0, std::nan("")}) EXPECT_THROW(protrusion({hullOf(box)}, solidOf(box), gap), Error);
 }
 
+// As other programs give them: vertices and triangles alone.
+TEST(Protrusion, RefusesAHullWithoutFaces) {
+  const TriangleMesh box = test_shapes::box(1, 1, 1);
+  ConvexHull hull = hullOf(box);
+  hull.faces.clear();
+  EXPECT_THROW(protrusion({hull}, solidOf(box), 0.01), Error);
+}
+
 TEST(Protrusion, NoHulls) {
   const Protrusion p = protrusion({}, solidOf(test_shapes::box(1, 1, 1)), 0.01);
   EXPECT_EQ(p.bound, 0);

@@ -46,7 +46,7 @@ TEST(HeldJoints, ErrorsNameWhatIsWrong) {
   expectBad({"joints 'wrist' matches no joint with room between its limits; those with room are arm_pan, arm_tilt, lift"}, "wrist", {});
   expectBad({"joints 'stuck' matches no joint with room"}, "stuck", {});
   expectBad({"joints", "(arm"}, "(arm", {});
-  expectBad({"joint 'elbow' cannot be set"}, "", {{"elbow", 1}});
+  expectBad({"joint 'elbow' cannot be set", "those that can be set are "}, "", {{"elbow", 1}});
   expectBad({"joint 'finger' cannot be set"}, "", {{"finger", 1}});
   expectBad({"joint 'lift' at 0.900000 is beyond its limits"}, "", {{"lift", 0.9}});
   expectBad({"at holds each joint that could move"}, "arm_pan", {{"arm_pan", 1}});

@@ -198,7 +198,7 @@ TEST(Kinematics, NamedValues) {
   expectError(ErrorCode::kBadOption, {"'j2'"}, set("j2", 0));
   expectError(ErrorCode::kBadOption, {"'j0'", "1.5", "limits"}, set("j0", 1.5));
   expectError(ErrorCode::kBadOption, {"'j1'"}, set("j1", std::nan("")));
-  expectError(ErrorCode::kBadOption, {"1 values", "2 joints"}, [&] { kinematics.poses({0}); });
+  expectError(ErrorCode::kBadOption, {"size 1 was given; the size has to be 2, a value for each joint"}, [&] { kinematics.poses({0}); });
 }
 
 TEST(Kinematics, LimitsAllowForDecimalText) {

@@ -45,7 +45,8 @@ struct RegionProof {
 struct CertifiedHulls {
   /// Cover the mesh; in a fixed order.
   std::vector<ConvexHull> hulls;
-  /// Proved: no point of a hull is further from S.
+  /// Proved: no point of a hull is further from S. As close to the true protrusion as certificate()
+  /// says: to a thousandth of the tolerance, as a rule.
   double bound = 0;
   /// The largest distance found, at `where`, a point of a hull; `nearest` is the point of S nearest
   /// to it. The true protrusion lies between `found` and `bound`. If S has openings, `found` refers
@@ -86,7 +87,8 @@ struct CertifiedHulls {
 CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options,
                               const RunControl& control = {});
 
-/// A mesh with what its caller has derived from it already.
+/// A mesh with what its caller has derived from it already. Refers to all of it, which must outlive
+/// the call.
 struct PreparedMesh {
   const TriangleMesh& original;  ///< what the hulls cover
   const RepairedMesh& repaired;  ///< what is decomposed
@@ -94,9 +96,10 @@ struct PreparedMesh {
   /// [m] How far apart the surfaces of `original` and `solid` may lie; the bound includes it. At
   /// least repaired.counts.weld_distance; more if reading rounded the mesh. Less is kBadOption.
   double margin = 0;
-  /// If given, the hulls are a cut through it, and nothing is decomposed.
+  /// If given, the hulls are a cut through it, and nothing is decomposed. For the tolerance of its
+  /// leaves or a larger one.
   const HullTree* tree = nullptr;
-  std::string name;  ///< of the mesh, for messages
+  std::string name = {};  ///< of the mesh, for messages
 };
 
 /// The same for a mesh that is prepared.
@@ -113,7 +116,7 @@ constexpr double kCertificateGap = 0.001;
 /// protrusion()). Where the bound would then exceed the tolerance, a second search goes on only
 /// until it does not: the two then differ by at most the room that the found value leaves. Throws
 /// kBadOption for a margin that is negative or not finite, or a tolerance that is not positive;
-/// kCancelled.
+/// kCancelled, and what check() of hulls throws.
 Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin,
                        double tolerance, const RunControl& control = {});
 

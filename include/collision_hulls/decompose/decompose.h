@@ -39,7 +39,9 @@ bool needsCertified(Effort effort);
 
 struct DecomposeOptions {
   Method method = Method::kCertified;
-  /// [m] > 0: acceptable protrusion (hacd, acd: the papers' concavity epsilon)
+  /// [m] > 0, and has to be set: acceptable protrusion (hacd, acd: the papers' concavity epsilon).
+  /// None is too large here; checkTolerance() in report/options.h refuses more than 1 m, which are
+  /// mostly millimetres by mistake
   double tolerance = 0;
   int max_hulls = 0;  ///< most hulls per mesh; 0: no limit
   /// most vertices per hull, at least 8; 0: no limit. Reduction is outward only

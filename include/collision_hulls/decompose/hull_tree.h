@@ -7,6 +7,9 @@
 //     const HullTree tree = hullTree(repair(mesh), options);
 //     const std::vector<ConvexHull> coarse = tree.hullsOf(tree.cutAt(0.05));  // within 5 cm
 //     const std::vector<ConvexHull> few = tree.hullsOf(tree.cutTo(8));        // at most 8
+//
+// Nodes hold the hulls of the repaired mesh, whose bounds leave out what repair() moved.
+// certifiedHulls() of a PreparedMesh with the tree gives the hulls of a cut with the whole promise.
 #pragma once
 
 #include <vector>
@@ -33,11 +36,12 @@ struct HullTree {
   double tolerance = 0;  ///< [m] the tolerance of the leaves
 
   /// The coarsest cut whose nodes protrude no further than `tolerance` [m]. Only leaves may exceed
-  /// it: they have no children. Nodes in ascending order.
+  /// it: they have no children. So a tolerance below the tree's own makes no finer cut. Nodes in
+  /// ascending order.
   std::vector<int> cutAt(double tolerance) const;
 
-  /// A cut of at most `hulls` (>= 1) nodes: starts at the root and keeps replacing the furthest
-  /// protruding node by its children. Nodes in ascending order.
+  /// A cut of at most `hulls` nodes (less than 1 counts as 1): starts at the root and keeps
+  /// replacing the furthest protruding node by its children. Nodes in ascending order.
   std::vector<int> cutTo(int hulls) const;
 
   /// Whether these nodes form a cut.

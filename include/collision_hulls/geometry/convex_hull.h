@@ -28,6 +28,9 @@ struct HalfSpace {
 };
 
 /// A convex polyhedron: vertices, outward triangles, and the half-spaces of its (merged) faces.
+/// convexHull() makes one from points, also from the vertices of another program's hull, which has
+/// no faces. Functions that measure hulls refuse what check() refuses; all others expect what it
+/// lets pass.
 struct ConvexHull {
   std::vector<Eigen::Vector3d> vertices;  ///< extreme points [m], each used by some triangle
   std::vector<Triangle> triangles;        ///< closed, outward; 2 * vertices - 4 of them
@@ -46,6 +49,13 @@ struct ConvexHull {
 /// reported as `thickness`. Deterministic. Throws kEmptyMesh if there are no points,
 /// kNonFiniteCoordinate for a NaN or an infinity, kCancelled.
 ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points, const RunControl& control = {});
+
+/// Throws kEmptyMesh for a hull that has some of vertices, triangles and faces but not all (one
+/// without any is empty and passes), kIndexOutOfRange for a triangle that names a vertex that is
+/// not there, kNonFiniteCoordinate for a vertex or face that is not finite, kBadOption for a normal
+/// that is not of unit length (to a millionth), kCancelled. The message has the hull's number.
+/// Whether the three belong together is not looked at.
+void check(const std::vector<ConvexHull>& hulls, const RunControl& control = {});
 
 /// The volume [m^3] and the bounding box of a hull; 0 and empty for one without vertices.
 double volume(const ConvexHull& hull);

@@ -1,7 +1,11 @@
 // How good a hull set is: cover, protrusion (with proof), volumes.
 //
+// Hulls may be from anywhere: convexHull() makes one from the vertices that another program wrote.
+// All functions throw what check() of hulls throws.
+//
 // For example:
 //
+//     const std::vector<ConvexHull> hulls{convexHull(points)};
 //     const Solid solid(repair(mesh));
 //     const Protrusion proved = protrusion(hulls, solid, 1e-4);  // to 0.1 mm
 //     const bool good = uncovered(mesh, hulls) == 0 && proved.bound <= 0.01;  // [m]

@@ -6,7 +6,7 @@
 //
 //     const Input input = openInput("arm.urdf");
 //     RobotResult result = decompose(input, Options(), "arm_collision");
-//     writeOutput(result, "arm_collision");
+//     const bool written = writeOutput(result, "arm_collision");  // false: all meshes failed
 #pragma once
 
 #include <string>

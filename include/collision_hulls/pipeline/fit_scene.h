@@ -1,5 +1,20 @@
 // Fits a robot's collision model to a scene: reads its meshes, builds their hull trees or takes
 // them from the cache, finds the cut that the scene needs, and certifies it.
+//
+// For example:
+//
+//     #include "collision_hulls/pipeline/output.h"
+//
+//     const Input input = openInput("arm.urdf");
+//     SceneSources sources;
+//     sources.scene = "kitchen.yaml";
+//     SceneRequest request = readSceneRequest(input, sources);
+//     request.clearance = 0.02;  // [m]
+//     const std::string output = "arm_in_kitchen";
+//     RobotResult result =
+//         fitRobotToScene(input.robot, input.find_package, request, Options(), output);
+//     std::cout << result.report.scene->hulls << " hulls\n";
+//     writeOutput(result, output);
 #pragma once
 
 #include <map>

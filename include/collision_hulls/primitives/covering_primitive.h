@@ -31,7 +31,7 @@ struct CertifiedPrimitive {
 };
 
 struct PrimitiveOptions {
-  double tolerance = 0;  ///< [m] > 0
+  double tolerance = 0;  ///< [m] > 0, and has to be set
   /// [m] >= 0: how far apart the surface of S and that of the original mesh may lie; see
   /// PreparedMesh
   double margin = 0;

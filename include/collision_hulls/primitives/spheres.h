@@ -37,7 +37,7 @@ struct Sphere {
 };
 
 struct SphereOptions {
-  /// [m] acceptable protrusion: a millionth of the mesh's diagonal, or more
+  /// [m] has to be set: acceptable protrusion, a millionth of the mesh's diagonal or more
   double tolerance = 0;
   /// most spheres per mesh, at least 1; time grows with it, see certifiedSpheres()
   std::size_t max_spheres = 10000;

@@ -92,7 +92,7 @@ class Result:
     where: the point of a hull at that distance; nearest: the point of the solid that is nearest to it.
     tolerance: what the tolerance asked for is for this mesh.
     status: "ok", or "degraded" where the bound exceeds the tolerance (and the padding); the hulls cover the mesh all the same.
-    reason: why it is degraded, and what to do about it; else empty.
+    reason: why it is degraded, and what to do about it; else empty. It names options as the program does: max-hulls is max_hulls.
     least_hulls: proved: no cover within the tolerance has fewer hulls. None: the search did not need to know, so it was not computed.
     """
 
@@ -183,7 +183,7 @@ def decompose_robot(
     consumers: what to write files for, beside URDF: "moveit", "gazebo", "mujoco", ...
     progress: as for decompose(). What it raises at the very end, when the output is complete, leaves that in place.
     options: every other option of the program, with _ for -: max_hulls=8, links=".*_finger", no_validate=True. None and False leave one out;
-        a list gives it several times. doc/options.md lists them.
+        a list gives it several times, and a dict several times as NAME=VALUE: model={"fine": "5mm", "coarse": "2cm"}. doc/options.md lists them.
 
     The report is a dict. report["links"] has a row for each mesh, with its "status", "hulls", "protrusion" (the proved bound) and "files". A mesh
     that fails has the status "failed" and the "reason"; if all fail, so that nothing is written, Error is raised.
@@ -216,7 +216,7 @@ def fit_scene(
     clearance: wherever the robot keeps this distance from the scene and from itself, the model does not collide, except in a share of all
         configurations that report["scene"]["phantom_rate_bound"] bounds.
     tolerance: that of the finest hulls.
-    options: every other option of the program, with _ for -: samples=100000, srdf="arm.srdf", configurations="path.csv", hulls_only=True.
+    options: every other option of the program, with _ for -: samples=100000, srdf="arm.srdf", configurations="path.csv", hulls_only=True, at={"elbow": 1.5}.
         doc/scenes.md lists them.
     output, config, package_paths, xacro_arguments, consumers, progress: as for decompose_robot().
 
@@ -363,10 +363,15 @@ def _is_set(keyword: str, value: Any) -> bool:
     raise Error(f"{keyword} {value!r} is not understood: it takes True or False", "BadOption")
 
 
+_PATHS = ("output", "config", "scene", "package_paths", "srdf", "configurations", "compare", "json", "root")
+
+
 def _texts(keyword: str, value: Any, may_repeat: bool) -> List[bytes]:
     plain = _plain(value)
     if plain is None or plain is False:
         return []
+    if may_repeat and isinstance(plain, Mapping):
+        return [_encoded(keyword, f"{name}=") + _text(keyword, one) for name, one in plain.items()]
     if may_repeat and isinstance(plain, (list, tuple)):
         return [_text(keyword, one) for one in plain]
     return [_text(keyword, plain, ", or several as a list" if may_repeat else "")]
@@ -377,10 +382,11 @@ def _text(keyword: str, value: Any, more: str = "") -> bytes:
     plain = _plain(value)
     if isinstance(plain, (str, bytes, os.PathLike)):
         return _encoded(keyword, plain)
-    if not isinstance(plain, bool):
+    if not isinstance(plain, bool) and keyword not in _PATHS:
         with contextlib.suppress(TypeError, ValueError, OverflowError):
             return str(plain.__index__() if hasattr(plain, "__index__") else float(plain)).encode()
-    raise Error(f"{keyword} {value!r} is not understood: it takes a number or a text{more}", "BadOption")
+    kinds = "a path" if keyword in _PATHS else "a number or a text"
+    raise Error(f"{keyword} {value!r} is not understood: it takes {kinds}{more}", "BadOption")
 
 
 def _encoded(keyword: str, value: Path) -> bytes:
@@ -405,6 +411,9 @@ def _array(value: Any, name: str, kinds: str, content: str) -> Array:
         raise Error(f"{name} cannot be an array ({error}); give N x 3 {content}", "NotAMesh") from None
     if array.size == 0 and array.ndim < 3:
         return numpy.empty((0, 3))
+    if array.ndim == 0:
+        file = "; for a file use decompose_robot()" if isinstance(value, (str, bytes, os.PathLike)) else ""
+        raise Error(f"{name} {value!r} is not an array; give N x 3 {content}{file}", "NotAMesh")
     if array.ndim != 2 or array.shape[1] != 3:
         divide = "divide each polygon into triangles, and " if name == "faces" and array.ndim == 2 and array.shape[1] > 3 else ""
         raise Error(f"{name} has the shape {array.shape}; {divide}give N x 3 {content}", "NotAMesh")

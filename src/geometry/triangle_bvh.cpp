@@ -17,9 +17,10 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kLeafSize = 4;
-constexpr int kParallel = 4096;  // nodes with more triangles than this build both halves in parallel
-constexpr int kBins = 16;        // places to split a node along an axis
-constexpr int kLeastShare = 4;   // a half gets at least 1 / this of a node's leaves
+constexpr int kParallel = 4096;      // nodes with more triangles than this build both halves in parallel
+constexpr int kBins = 16;            // places to split a node along an axis
+constexpr float kThinnest = 1e-30F;  // extent of centres, in units of the tree, that is not divided: kBins over it must be finite
+constexpr int kLeastShare = 4;       // a half gets at least 1 / this of a node's leaves
 
 // For boxes in single precision: rounding error of a coordinate (at most 2 units large), and of the squared distance to a box, as a share.
 constexpr float kBoxMargin = 4e-7F;
@@ -203,7 +204,7 @@ void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Item>& items, int 
 TriangleBvh::Split TriangleBvh::split(const Item* items, int count) {
   Bin centres;
   for (int i = 0; i < count; ++i) centres.add({items[i].twiceCentre(), items[i].twiceCentre(), 1});
-  const Eigen::Array4f size = centres.high - centres.low, perUnit = (size > 0).select(kBins / size, 0);
+  const Eigen::Array4f size = centres.high - centres.low, perUnit = (size > kThinnest).select(kBins / size, 0);
   std::array<std::array<Bin, kBins>, 3> bins;
   for (int i = 0; i < count; ++i) {
     const Eigen::Array4f place = (items[i].twiceCentre() - centres.low) * perUnit;

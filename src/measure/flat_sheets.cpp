@@ -12,6 +12,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kFlat = 1e-6;     // largest deviation from the plane, as a share of the mesh's diagonal
+constexpr double kMargin = 1e-9;   // what counts as on the outline, as a share of the diagonal: rounding may put it on either side
 constexpr double kSameWay = 0.5;   // least cosine between the group's normal and its triangles'
 constexpr double kExtent = 0.01;   // of the mesh's diagonal; groups of less are left to the search's other bounds,
 constexpr std::size_t kLeast = 2;  // and so are single triangles
@@ -36,7 +37,10 @@ Eigen::Vector3d normalOf(const TriangleMesh& mesh, int t) {
 }  // namespace
 
 FlatSheets::FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided, const RunControl& control)
-    : flat_(kFlat * diagonal(mesh.mesh)), group_(mesh.mesh.triangles.size(), -1), rim_(TriangleMesh{}) {
+    : flat_(kFlat * diagonal(mesh.mesh)),
+      margin_(kMargin * diagonal(mesh.mesh)),
+      group_(mesh.mesh.triangles.size(), -1),
+      rim_(TriangleMesh{}) {
   constexpr int kSmall = -2;
   const double least = kExtent * diagonal(mesh.mesh);
   Looks look(control);
@@ -120,16 +124,18 @@ bool FlatSheets::isCovered(const std::array<Eigen::Vector3d, 3>& triangle, const
     if (!(side * normals[k].dot(point - triangle[k]) >= 0)) return false;
     box.extend(triangle[k]);
   }
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(group.deviation);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(group.deviation + margin_);
   const std::vector<int> edges = rim_.trianglesNear({box.min() - reach, box.max() + reach});
   return std::none_of(edges.begin(), edges.end(), [&](int edge) {
     const std::array<Eigen::Vector3d, 3>& corners = rim_.corners(edge);
     const Eigen::Vector3d &a = corners[0], &b = corners[1];
     for (std::size_t k = 0; k < 3; ++k)
-      if (side * normals[k].dot(a - triangle[k]) < 0 && side * normals[k].dot(b - triangle[k]) < 0) return false;
+      if (const double least = -margin_ * normals[k].norm();
+          side * normals[k].dot(a - triangle[k]) < least && side * normals[k].dot(b - triangle[k]) < least)
+        return false;
     const Eigen::Vector3d across = group.normal.cross(b - a);
     const auto [low, high] = std::minmax({across.dot(triangle[0] - a), across.dot(triangle[1] - a), across.dot(triangle[2] - a)});
-    return low <= 0 && high >= 0;
+    return low <= margin_ * across.norm() && high >= -margin_ * across.norm();
   });
 }
 

@@ -35,6 +35,7 @@ class FlatSheets {
   TriangleBvh rims(const RepairedMesh& mesh, const Edges& edges, const RunControl& control) const;
 
   double flat_ = 0;            // [m] allowed deviation
+  double margin_ = 0;          // [m] about the rim
   std::vector<int> group_;     // per triangle of the mesh; -1: none
   std::vector<Group> groups_;  // only large ones
   TriangleBvh rim_;            // the groups' edges that lead to no triangle of the same group

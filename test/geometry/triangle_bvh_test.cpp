@@ -443,5 +443,12 @@ TEST(TriangleBvh, LargeMeshesHaveTheSameNearestPointsAsBruteForce) {
   }
 }
 
+TEST(TriangleBvh, HeightsNextToNothingAreNotDivided) {
+  TriangleMesh sheet = test_shapes::sheet(6, 6, 6);
+  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) sheet.vertices[i].z() = 1e-40 * static_cast<double>(i % 5);
+  const TriangleBvh bvh(sheet);
+  EXPECT_EQ(bvh.nearest({3, 3, 2}).distance, 2);
+}
+
 }  // namespace
 }  // namespace collision_hulls

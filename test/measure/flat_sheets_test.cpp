@@ -61,6 +61,25 @@ TEST(FlatSheets, NoPointIsFurtherThanTheBound) {
   EXPECT_GT(bounded, 300);
 }
 
+// Rounding may put an edge of such a patch on either side of the outline that it lies on.
+TEST(FlatSheets, APatchBesideTheSheetIsNotAboveIt) {
+  const TriangleMesh sheet = test_shapes::sheet(1, 1, 2);
+  test_shapes::RandomPoints random(7);
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(random.inCube(), random.inCube());
+    TriangleMesh turned = sheet;
+    for (Vector3d& v : turned.vertices) v = turn * v;
+    const Solid solid = test_shapes::solidOf(turned);
+    for (int k = 0; k < 20; ++k) {
+      const Vector3d at = random.inCube();
+      const Patch patch{turn * Vector3d(1, 0.3 + 0.2 * at.x(), 0), turn * Vector3d(1, 0.7 + 0.2 * at.y(), 0),
+                        turn * Vector3d(1.5 + 0.4 * at.z(), 0.5, 0)};
+      const TriangleBvh::Nearest near = solid.surface().nearest((patch[0] + patch[1] + patch[2]) / 3);
+      ASSERT_LE(largestDistance(patch, solid), solid.heightAboveSheet(patch, near, 0) + 1e-9) << i << ' ' << k;
+    }
+  }
+}
+
 TEST(FlatSheets, BoundsByHeightButOnlyAboveTheSheet) {
   const Solid solid = test_shapes::solidOf(test_shapes::sheet(1, 1, 10));
   const auto bound = [&](double x, double z, double slack) {

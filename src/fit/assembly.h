@@ -94,7 +94,8 @@ using PartIndices = std::pair<std::size_t, std::size_t>;  // of two parts, the s
 struct PartPair {
   std::size_t a = 0, b = 0;
   double clearance = 0;
-  double urgency = 0;  ///< [1/s] how often its originals are not clear, over how long it takes to tell; what is urgent is checked first
+  std::size_t unclear = 0;  ///< surveyed samples in which its originals are apart, but not clear
+  double seconds = 0;       ///< that the survey of it took
 };
 
 }  // namespace collision_hulls

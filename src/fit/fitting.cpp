@@ -24,7 +24,7 @@ struct Answer {
 bool isClear(const Originals& originals, const CheckedPairs& pairs, const Places& places) {
   std::vector<PartPair> near;
   for (const std::size_t i : pairs.near(originals.boxesOfLinks(places), pairs.clearance())) near.push_back(pairs.all()[i]);
-  std::stable_sort(near.begin(), near.end(), [](const PartPair& a, const PartPair& b) { return a.urgency > b.urgency; });
+  std::stable_sort(near.begin(), near.end(), [](const PartPair& a, const PartPair& b) { return urgency(a) > urgency(b); });
   return std::all_of(near.begin(), near.end(), [&](const PartPair& pair) {
     return originals.distanceBelow(pair.clearance, pair.a, pair.b, places) >= pair.clearance;
   });

@@ -35,10 +35,10 @@ struct Sighting {
   std::size_t a = 0, b = 0;
   bool links = false, moves = true;
   double at_rest = 0;                               // [m] distance, capped at the clearance
-  double usual = 0;                                 // [m] median of the nonzero distances, capped likewise; 0 if there are none
   std::size_t samples = 0, touching = 0, near = 0;  // all; at distance 0; nearer than the clearance
-  double own = 0;      // [m] the pair's clearance; for parts that are hardly ever `clearance` apart, half of their usual distance
-  double urgency = 0;  // see PartPair
+  double own = 0;                                   // [m] the pair's clearance
+  std::size_t unclear = 0;                          // see PartPair
+  double seconds = 0;
 };
 
 bool nearlyAll(std::size_t part, std::size_t whole) {
@@ -70,14 +70,15 @@ std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly
   return places;
 }
 
-double ownClearance(const Sighting& pair, double clearance) {
-  if (pair.usual == 0 || !nearlyAll(pair.near, pair.samples)) return clearance;
-  return std::min(clearance, pair.usual / 2);
+/// The pair's clearance; for parts that are hardly ever that far apart, half of their usual distance. `usual`: 0 if they always touch.
+double ownClearance(const Sighting& pair, double usual, double clearance) {
+  if (usual == 0 || !nearlyAll(pair.near, pair.samples)) return clearance;
+  return std::min(clearance, usual / 2);
 }
 
 /// For a pair that is never near in any of the places.
 void surveyFar(std::size_t places, double clearance, Sighting& pair) {
-  pair.at_rest = pair.usual = pair.own = clearance;
+  pair.at_rest = pair.own = clearance;
   pair.samples = places - 1;
 }
 
@@ -96,7 +97,7 @@ std::vector<char> everNear(const std::vector<Places>& places, const Assembly& as
 }
 
 void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
-  std::vector<double> apart;
+  std::vector<double> apart;  // distances, but for contact
   Stopwatch stopwatch;
   for (const Places& at : places) {
     const double distance = originals.distanceBelow(clearance, pair.a, pair.b, at);
@@ -109,11 +110,9 @@ void survey(const std::vector<Places>& places, const Originals& originals, doubl
     pair.touching += distance == 0;
     pair.near += distance < clearance;
   }
-  const double seconds = stopwatch.lap();
-  pair.usual = median(apart);
-  pair.own = ownClearance(pair, clearance);
-  const auto unclear = std::count_if(apart.begin(), apart.end(), [&](double distance) { return distance < pair.own; });
-  pair.urgency = (static_cast<double>(unclear) + kNeverSeen) / std::max(seconds, kLeastSeconds);
+  pair.seconds = stopwatch.lap();
+  pair.own = ownClearance(pair, median(apart), clearance);
+  pair.unclear = static_cast<std::size_t>(std::count_if(apart.begin(), apart.end(), [&](double distance) { return distance < pair.own; }));
 }
 
 /// Why a pair is left out, judging by the original; an empty reason: it is not.
@@ -217,6 +216,10 @@ std::string nesting(const Assembly& assembly, const Originals& originals, std::s
   return originals.contains(link, body, places) ? assembly.name(body) + " inside " + assembly.name(link) : "";
 }
 
+double urgency(const PartPair& pair) {
+  return (static_cast<double>(pair.unclear) + kNeverSeen) / std::max(pair.seconds, kLeastSeconds);
+}
+
 std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance) {
   std::vector<PartPair> pairs = rules.pairs;
   for (const ProvedPair& pair : rules.proved) pairs.push_back({pair.a, pair.b, clearance});
@@ -270,7 +273,7 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
       continue;
     }
     if (pair.own < clearance) close.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " (" + lengthText(pair.own) + ")");
-    rules.pairs.push_back({pair.a, pair.b, pair.own, pair.urgency});
+    rules.pairs.push_back({pair.a, pair.b, pair.own, pair.unclear, pair.seconds});
     const Kinematics& kinematics = assembly.kinematics();
     const bool settled = pair.links ? kinematics.settled(pair.a, pair.b) : kinematics.settled(pair.a);
     may_be_proved.push_back(settled && pair.near == 0 && pair.at_rest >= clearance);

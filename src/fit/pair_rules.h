@@ -27,6 +27,10 @@ struct PairRules {
 /// does. What lies in a body that is convex touches it, as that is checked as a solid.
 std::string nesting(const Assembly& assembly, const Originals& originals, std::size_t link, std::size_t body, const Places& places);
 
+/// [1/s] How often the pair is not clear, over how long it takes to tell. Of several pairs that all have to be clear, the most urgent is
+/// checked first.
+double urgency(const PartPair& pair);
+
 /// The pairs to check and the pairs proved: primitives may touch where hulls never do.
 std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance);
 

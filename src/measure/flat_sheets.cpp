@@ -129,10 +129,11 @@ bool FlatSheets::isCovered(const std::array<Eigen::Vector3d, 3>& triangle, const
   return std::none_of(edges.begin(), edges.end(), [&](int edge) {
     const std::array<Eigen::Vector3d, 3>& corners = rim_.corners(edge);
     const Eigen::Vector3d &a = corners[0], &b = corners[1];
+    const auto isBeyond = [&](std::size_t k, const Eigen::Vector3d& p) {
+      return side * normals[k].dot(p - triangle[k]) < -margin_ * normals[k].norm();
+    };
     for (std::size_t k = 0; k < 3; ++k)
-      if (const double least = -margin_ * normals[k].norm();
-          side * normals[k].dot(a - triangle[k]) < least && side * normals[k].dot(b - triangle[k]) < least)
-        return false;
+      if (isBeyond(k, a) && isBeyond(k, b)) return false;
     const Eigen::Vector3d across = group.normal.cross(b - a);
     const auto [low, high] = std::minmax({across.dot(triangle[0] - a), across.dot(triangle[1] - a), across.dot(triangle[2] - a)});
     return low <= margin_ * across.norm() && high >= -margin_ * across.norm();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "fit/contacts.h"
 #include "fit/fit_fixtures.h"
 #include "fit/fitting.h"
@@ -61,13 +63,22 @@ TEST(PairRules, WhatIsProvedOfAPairIsNoMoreThanItsDistance) {
   EXPECT_GT(rules.proved[0].bound, 0.24);
 }
 
-TEST(PairRules, WhatIsOftenNotClearIsUrgent) {
+TEST(PairRules, TheSurveyCountsWhereAPairIsNotClear) {
   FitProblem problem = overPost();
   problem.scene.bodies.push_back(boxBody("chip", {0.01, 0.01, 0.01}, {-0.01, 0.15, 0.5}));  // 5 mm beside the channel's way
   const Assembly assembly(problem, 1);
   const PairRules rules = pairRules(problem, assembly, Originals(problem, assembly, {}), 0.01, {});
   ASSERT_EQ(rules.pairs.size(), 2u) << "with the post, which the channel never touches, and with the chip";
-  EXPECT_GT(rules.pairs[1].urgency, 10 * rules.pairs[0].urgency);
+  EXPECT_EQ(rules.pairs[0].unclear, 0u);
+  EXPECT_GT(rules.pairs[1].unclear, 50u) << "of 400, where it is within the channel's length of 1 m on a way of 4 m";
+  EXPECT_GT(rules.pairs[1].seconds, 0);
+}
+
+TEST(PairRules, WhatIsOftenNotClearAndSoonToldIsUrgent) {
+  const auto after = [](std::size_t unclear, double seconds) { return urgency({0, 1, 0.01, unclear, seconds}); };
+  EXPECT_GT(after(1, 1), after(0, 1));
+  EXPECT_GT(after(0, 1), after(0, 2)) << "none of a few hundred is not never";
+  EXPECT_TRUE(std::isfinite(after(0, 0)));
 }
 
 TEST(Originals, CanBeCancelledWhileFclBuildsItsTrees) {
